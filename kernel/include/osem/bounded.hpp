@@ -1,0 +1,85 @@
+// An integer that carries its range in its type: arithmetic widens the range, and a range that would leave
+// 64 bits does not compile. It costs nothing at run time and replaces every "this cannot overflow" comment.
+#ifndef OSEM_BOUNDED_HPP
+#define OSEM_BOUNDED_HPP
+
+#include <cstdint>
+#include <type_traits>
+
+#include "osem/config.hpp"
+
+namespace osem {
+
+namespace detail {
+
+constexpr std::int64_t least(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
+constexpr std::int64_t greatest(std::int64_t a, std::int64_t b) { return a < b ? b : a; }
+
+// The extremes of a product over two ranges stand among the four products of their ends. A product or sum
+// past 64 bits is undefined behaviour, which a constant expression must not contain: it is a compile error.
+constexpr std::int64_t product_lo(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+    return least(least(a * c, a * d), least(b * c, b * d));
+}
+constexpr std::int64_t product_hi(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+    return greatest(greatest(a * c, a * d), greatest(b * c, b * d));
+}
+
+constexpr bool fits_32(std::int64_t lo, std::int64_t hi) {
+    return lo >= -INT64_C(0x7fffffff) && hi <= INT64_C(0x7fffffff);
+}
+
+} // namespace detail
+
+/// An integer in [Lo, Hi], held in 32 bits where the range allows and in 64 otherwise.
+template <std::int64_t Lo, std::int64_t Hi>
+class Bounded {
+    static_assert(Lo <= Hi, "an empty range");
+
+  public:
+    using Rep = std::conditional_t<detail::fits_32(Lo, Hi), std::int32_t, std::int64_t>;
+
+    /// Precondition: Lo <= value <= Hi, proved at the door (check, or a grid invariant).
+    static constexpr Bounded claim(Rep value) {
+        OSEM_ASSERT(Lo <= value && value <= Hi);
+        return Bounded(value);
+    }
+
+    /// A narrower range is also in this one.
+    template <std::int64_t L, std::int64_t H>
+    constexpr Bounded(Bounded<L, H> other) : value_(static_cast<Rep>(other.value())) {
+        static_assert(Lo <= L && H <= Hi, "the range does not fit: narrowing needs a proof");
+    }
+
+    constexpr Rep value() const { return value_; }
+    constexpr int sign() const { return value_ < 0 ? -1 : value_ > 0 ? 1 : 0; }
+
+  private:
+    explicit constexpr Bounded(Rep value) : value_(value) {}
+    Rep value_;
+};
+
+template <std::int64_t A, std::int64_t B, std::int64_t C, std::int64_t D>
+constexpr auto operator+(Bounded<A, B> x, Bounded<C, D> y) {
+    using Sum = Bounded<A + C, B + D>;
+    using Rep = typename Sum::Rep;
+    return Sum::claim(static_cast<Rep>(static_cast<Rep>(x.value()) + static_cast<Rep>(y.value())));
+}
+
+template <std::int64_t A, std::int64_t B, std::int64_t C, std::int64_t D>
+constexpr auto operator-(Bounded<A, B> x, Bounded<C, D> y) {
+    using Difference = Bounded<A - D, B - C>;
+    using Wide = std::conditional_t<sizeof(x) == 8 || sizeof(y) == 8, std::int64_t, typename Difference::Rep>;
+    return Difference::claim(
+        static_cast<typename Difference::Rep>(static_cast<Wide>(x.value()) - static_cast<Wide>(y.value())));
+}
+
+template <std::int64_t A, std::int64_t B, std::int64_t C, std::int64_t D>
+constexpr auto operator*(Bounded<A, B> x, Bounded<C, D> y) {
+    using Product = Bounded<detail::product_lo(A, B, C, D), detail::product_hi(A, B, C, D)>;
+    using Rep = typename Product::Rep;
+    return Product::claim(static_cast<Rep>(static_cast<Rep>(x.value()) * static_cast<Rep>(y.value())));
+}
+
+} // namespace osem
+
+#endif

@@ -1,0 +1,17 @@
+// Build options of the kernel. Set them on the compiler's command line, the same for every file of a program.
+#ifndef OSEM_CONFIG_HPP
+#define OSEM_CONFIG_HPP
+
+// Width of a child index in bits: 32 (nodes of 6 bytes, up to 2^32 - 2 of them in a pool) or
+// 16 (nodes of 4 bytes, up to 65,534 of them in a pool).
+#ifndef OSEM_NODE_INDEX_BITS
+#define OSEM_NODE_INDEX_BITS 32
+#endif
+
+// Contract check: a false condition is a bug in the caller, never bad data. Expands to nothing unless the
+// program defines it, for example as its own trap or as the hosted assert.
+#ifndef OSEM_ASSERT
+#define OSEM_ASSERT(condition) static_cast<void>(0)
+#endif
+
+#endif

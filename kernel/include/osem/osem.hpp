@@ -1,0 +1,19 @@
+// The whole kernel in one include.
+#ifndef OSEM_OSEM_HPP
+#define OSEM_OSEM_HPP
+
+#include "osem/boolean.hpp"
+#include "osem/bounded.hpp"
+#include "osem/classify.hpp"
+#include "osem/config.hpp"
+#include "osem/convert.hpp"
+#include "osem/frame.hpp"
+#include "osem/lattice.hpp"
+#include "osem/node_pool.hpp"
+#include "osem/octree.hpp"
+#include "osem/solid.hpp"
+#include "osem/status.hpp"
+#include "osem/stream.hpp"
+#include "osem/tree_builder.hpp"
+
+#endif

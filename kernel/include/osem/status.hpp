@@ -1,0 +1,48 @@
+// What a public function answers when data, memory or a range stands in the way.
+#ifndef OSEM_STATUS_HPP
+#define OSEM_STATUS_HPP
+
+#include <cstdint>
+
+namespace osem {
+
+enum class Status : std::uint8_t {
+    ok,
+
+    // Frame.
+    point_outside_frame, ///< a world point maps to no lattice point of the root octant
+    shift_out_of_range,  ///< a frame's shift is outside [-31, 20]
+
+    // Solid.
+    scratch_too_small,      ///< the caller's scratch is shorter than the stated equation
+    ring_table_invalid,     ///< a ring or face table descends, or runs past what it indexes
+    index_out_of_range,     ///< a corner names a vertex that does not exist
+    coordinate_off_lattice, ///< a vertex coordinate is below 0 or above 2^20
+    ring_too_short,         ///< a ring has fewer than three corners
+    face_not_planar,        ///< a corner lies off the plane of its face
+    surface_not_closed,     ///< an edge is used more often in one direction than in the other
+
+    // Octree.
+    depth_out_of_range, ///< depth outside [1, 20], or above 19 with centre leaves
+    pool_exhausted,     ///< the pool has too few free nodes; the number missing is reported beside it
+    pools_differ,       ///< operands or result live in different pools
+    point_off_root,     ///< a query point lies outside the root octant
+
+    // Stream.
+    stream_truncated,       ///< the stream ends before its node count is reached
+    stream_not_osem,        ///< the first bytes are not an Osem header of a known version
+    stream_header_damaged,  ///< the header's checksum does not match
+    stream_payload_damaged, ///< the payload's checksum does not match
+    stream_too_deep,        ///< a grey octant stands at the stated depth
+    stream_not_canonical,   ///< a node below the top has eight equal leaf children
+    stream_count_mismatch,  ///< the payload holds more or fewer nodes than the header says
+    stream_trailing_bytes,  ///< bytes follow the end of the stream
+    sink_refused,           ///< the caller's sink did not take a write
+};
+
+/// One short lower-case English phrase for a status, without a full stop; never null.
+const char* describe(Status status);
+
+} // namespace osem
+
+#endif

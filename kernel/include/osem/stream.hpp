@@ -1,0 +1,102 @@
+// Trees as bytes: the form that lies in flash, crosses a wire or is written to a file.
+//
+// A stream is a header, a payload and a trailer; every number is little-endian.
+//
+//     offset  bytes  header
+//          0      4  'O' 'S' 'E' 'M'
+//          4      1  version, 1
+//          5      1  depth, 1 to 20
+//          6      1  leaf rule the tree was converted with (0 conservative, 1 centre)
+//          7      1  0
+//          8     32  frame: origin x, y, z and side of the world cube that the root covers, each the bits of
+//                    an IEEE 754 binary64 (the kernel carries them unread)
+//         40      4  node count, 1 or more
+//         44      4  CRC-32 of bytes 0 to 43
+//         48     2n  payload: the nodes in preorder, each the byte `may`, then the byte `must`
+//     48 + 2n     4  CRC-32 of the payload
+//
+// The CRC-32 is that of IEEE 802.3 (polynomial 0x04c11db7, reflected).
+#ifndef OSEM_STREAM_HPP
+#define OSEM_STREAM_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "osem/octree.hpp"
+#include "osem/tree_builder.hpp"
+
+namespace osem {
+
+constexpr std::size_t stream_header_size = 48;
+constexpr std::size_t stream_trailer_size = 4;
+
+/// Bytes of a stream of `nodes` nodes.
+constexpr std::uint64_t stream_size(std::uint64_t nodes) {
+    return stream_header_size + 2 * nodes + stream_trailer_size;
+}
+
+/// What a header says beside the tree.
+struct StreamHeader {
+    std::uint8_t depth;
+    std::uint8_t leaf_rule;
+    std::uint64_t frame[4]; ///< origin x, y, z and side, as the bits of binary64 numbers
+    std::uint32_t nodes;
+};
+
+/// Takes bytes from the writer; false refuses. `context` is the caller's.
+struct Sink {
+    bool (*write)(void* context, const std::uint8_t* bytes, std::size_t count);
+    void* context;
+};
+
+/// Writes a tree; depth and node count of `header` are filled in from it. Status: ok; sink_refused, after
+/// which nothing more is written. Cost: O(nodes of the tree), O(depth) memory.
+Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
+
+/// Outcome of reading a stream. `offset` is that of the byte at which a fault was seen.
+struct StreamOutcome {
+    TreeOutcome built;
+    std::uint64_t offset;
+};
+
+/// Reads a stream in chunks of any size: begin, feed until the bytes end, finish. O(depth) memory. It
+/// accepts exactly what write_stream writes; on any fault the pool is as it was at begin.
+class StreamReader {
+  public:
+    /// Starts reading into `pool`; null: only validates and counts.
+    void begin(NodePool* pool);
+
+    /// Takes the next bytes. Status: ok so far, or the first fault, which then stays.
+    Status feed(const std::uint8_t* bytes, std::size_t count);
+
+    /// The header, once its 48 bytes have been fed and the status is ok.
+    bool has_header() const { return position_ >= stream_header_size; }
+    const StreamHeader& header() const { return header_; }
+
+    /// Ends the stream. Status: ok; stream_truncated, stream_not_osem, stream_header_damaged,
+    /// depth_out_of_range, stream_too_deep, stream_not_canonical, stream_count_mismatch,
+    /// stream_payload_damaged, stream_trailing_bytes; pool_exhausted with the nodes missing.
+    StreamOutcome finish();
+
+  private:
+    Status take(std::uint8_t byte);
+    Status take_header();
+    Status take_node(std::uint8_t may, std::uint8_t must);
+    Status take_trailer();
+    void fail(Status status);
+
+    TreeBuilder builder_;
+    StreamHeader header_ = {};
+    std::uint64_t position_ = 0;
+    std::uint32_t nodes_left_ = 0;
+    std::uint32_t crc_ = 0;
+    Status status_ = Status::ok;
+    int level_ = -1;
+    std::uint8_t may_ = 0;
+    std::uint8_t left_[max_depth] = {}; ///< grey children not yet read, a level
+    std::uint8_t bytes_[stream_header_size] = {};
+};
+
+} // namespace osem
+
+#endif

@@ -1,0 +1,81 @@
+// Assembles one canonical tree in a pool, children before parents, in memory fixed beforehand. What the
+// conversion, the Booleans and the stream reader have in common; also for callers with trees of their own.
+#ifndef OSEM_TREE_BUILDER_HPP
+#define OSEM_TREE_BUILDER_HPP
+
+#include <cstdint>
+
+#include "osem/lattice.hpp"
+#include "osem/octree.hpp"
+
+namespace osem {
+
+/// Outcome of building a tree, whichever way.
+struct TreeOutcome {
+    Status status;
+    std::uint32_t nodes_needed; ///< nodes that the tree takes from the pool (beside those it shares)
+    std::uint32_t
+        nodes_missing; ///< with pool_exhausted: how many more free nodes it would have needed; else 0
+    Octree tree;       ///< meaningful when status is ok and the build was not a counting pass
+};
+
+/// The octants of the tree are opened and closed in depth-first order. When the pool runs out it is rolled
+/// back at once to where it was, and building goes on without writing, so that the number of nodes missing
+/// is known exactly in the end. Without a pool nothing is ever written: a counting pass.
+class TreeBuilder {
+  public:
+    /// Starts a tree with the root octant open. `pool` may be null: a counting pass.
+    void begin(NodePool* pool);
+
+    /// Opens child `child` of the open octant. Its children may be given at once as leaves by two masks.
+    /// Precondition: fewer than max_depth octants are open.
+    void open(unsigned child, std::uint8_t may = 0, std::uint8_t must = 0);
+
+    /// Makes child `child` of the open octant a leaf. Precondition: colour is not grey.
+    void leaf(unsigned child, Colour colour);
+
+    /// Sets all eight children of the open octant as leaves by two masks.
+    void leaves(std::uint8_t may, std::uint8_t must);
+
+    /// Makes child `child` of the open octant an existing subtree of the same pool, shared.
+    void graft(unsigned child, const Node& node);
+
+    /// Closes the open octant: eight equal leaves become one leaf, and a group of grey children that equals
+    /// the one of `like` or `or_like` (nodes of the same pool, or null) is shared with it instead of written.
+    void close(const Node* like = nullptr, const Node* or_like = nullptr);
+
+    /// Whether the root octant has been closed.
+    bool finished() const { return level_ < 0; }
+    /// Whether the pool has run out (it has been rolled back; building may go on to count).
+    bool exhausted() const { return exhausted_; }
+
+    /// The tree. Precondition: finished().
+    TreeOutcome finish(int depth) const;
+
+    /// Gives the pool's nodes back, as if the build had never begun.
+    void abandon();
+
+  private:
+    struct Level {
+        Node pending[8];
+        std::uint8_t may;
+        std::uint8_t must;
+        std::uint8_t child; ///< which child of the level above this is
+    };
+    bool shares_group(const Level& level, std::uint8_t grey, const Node* like) const;
+    NodeIndex write_group(const Node* nodes, unsigned count);
+
+    NodePool* pool_ = nullptr;
+    std::uint32_t mark_ = 0;
+    std::uint32_t available_ = 0;
+    std::uint32_t needed_ = 0;
+    int level_ = -1;
+    bool writing_ = false;
+    bool exhausted_ = false;
+    Node top_ = Node::uniform(Colour::white);
+    Level levels_[max_depth] = {};
+};
+
+} // namespace osem
+
+#endif
