@@ -35,30 +35,26 @@ class Combination {
     /// Pairs of nodes visited so far.
     std::uint64_t nodes_visited() const { return visited_; }
 
-    /// The result; as Conversion::finish. Status: ok; pool_exhausted, pool and operands then as they were.
+    /// The result; as Conversion::finish. Status: ok; pool_exhausted; unfinished. When not ok pool and
+    /// operands are as they were at begin.
     TreeOutcome finish();
 
   private:
     struct Frame {
         Node a;
-        Node b;            ///< its masks already complemented where the operator subtracts
+        Node b;            ///< its masks complemented where the operator subtracts
         std::uint8_t left; ///< children still to be entered
-        std::uint8_t child;
     };
     void enter(const Node& a, const Node& b, unsigned child);
-    void settle(Frame& frame);
-    Node child_of(const Node& node, unsigned k) const;
-    Node load_b(const Node& node) const;
+    void graft_common(Frame& frame);
+    Node child_of(const Node& node, unsigned child, bool complement) const;
 
     NodePool* pool_ = nullptr;
     Operator op_ = Operator::unite;
     bool complement_b_ = false;
     std::uint8_t depth_ = 1;
     int level_ = -1;
-    bool started_ = false;
     std::uint64_t visited_ = 0;
-    Node top_a_ = Node::uniform(Colour::white);
-    Node top_b_ = Node::uniform(Colour::white);
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;
 };

@@ -14,7 +14,7 @@ namespace osem {
 enum class Stage : std::uint8_t {
     minimax,  ///< 1: bounding boxes; rejects what does not overlap the octant (touching is not overlapping)
     plane,    ///< 2: rejects a face whose plane misses the open octant
-    vertices, ///< 3: accepts a corner strictly inside, or a one-ring face wholly inside or on the octant
+    vertices, ///< 3: accepts a corner strictly inside, or a triangle wholly inside or on the octant
     section,  ///< 4: accepts an edge that meets the open octant; else the section of plane and octant lies
               ///<    wholly inside or outside the outer ring
     holes,    ///< 5: inside the outer ring, rejects what holes cover wholly

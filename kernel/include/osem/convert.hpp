@@ -61,23 +61,26 @@ class Conversion {
     /// What each stage rejected and accepted so far.
     const StageCounts& stages() const { return stages_; }
 
-    /// The tree. Before step has returned false the conversion is abandoned: the pool is rolled back and the
-    /// status is pool_exhausted if it had run out (nodes_missing is then 0, unknown), else ok with a white
-    /// tree of no meaning. Status: ok; pool_exhausted, the pool then as it was at begin.
+    /// The tree. Called before step has returned false it gives the conversion up. Status: ok;
+    /// pool_exhausted (nodes_missing is 0, for unknown, if given up); unfinished if given up. When not ok the
+    /// pool is as it was at begin.
     TreeOutcome finish();
 
   private:
     struct Frame {
         std::uint32_t faces;     ///< length of the prefix of the face list that meets this octant
-        std::int32_t winding[8]; ///< of the reference points of the children
-        std::uint8_t child;      ///< the next child
+        std::int32_t winding[8]; ///< of the reference points of the children, where known
+        std::uint8_t known;      ///< mask of the children whose winding is known
+        std::uint8_t child;      ///< the child being visited
     };
     void visit_root();
     void visit_child();
     void enter(const Octant& octant, std::uint32_t faces, std::int32_t winding);
     void leave();
     std::uint32_t select(const Octant& octant, std::uint32_t faces);
-    std::int32_t cross(const Point& from, Axis axis, std::int32_t length, std::uint32_t faces) const;
+    std::int32_t crossings(const Point& from, Axis axis, std::int32_t length, std::uint32_t faces) const;
+    std::int32_t winding_of_child(Frame& frame, unsigned child) const;
+    std::int32_t winding_at_centre(const Octant& leaf, std::uint32_t faces, std::int32_t winding) const;
     Colour colour_of(std::int32_t winding) const;
 
     CheckedSolid solid_ = CheckedSolid::vouched(Solid{});
@@ -85,8 +88,8 @@ class Conversion {
     std::uint32_t* list_ = nullptr;
     StageCounts stages_ = {};
     std::uint64_t visited_ = 0;
-    Octant octant_ = root_octant;
-    int level_ = -1;
+    Octant octant_ = root_octant; ///< that of the frame on top
+    int level_ = -1;              ///< of the frame on top
     bool started_ = false;
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;

@@ -33,7 +33,7 @@ struct FrameOutcome {
 };
 
 /// Maps `count` world points to the lattice. Rounding: none when shift >= 0; otherwise to the nearest
-/// lattice point, halves towards plus infinity. `lattice` may overlay `world` (both have 12 bytes a point).
+/// lattice point, halves towards plus infinity. The two arrays must not overlap.
 /// Status: ok; shift_out_of_range; point_outside_frame when a rounded coordinate is below 0 or above 2^20
 /// (index names the point; points before it have been written). Cost: O(count), no scratch.
 FrameOutcome to_lattice(const Frame& frame, const WorldPoint* world, std::size_t count, Point* lattice);

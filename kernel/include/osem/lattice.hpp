@@ -56,6 +56,13 @@ struct Octant {
                    corner.at[2] + ((k & 4U) != 0 ? half : 0)}},
             static_cast<std::uint8_t>(level + 1)};
     }
+
+    /// The octant one level higher that holds this one. Precondition: level > 0.
+    constexpr Octant parent() const {
+        const std::int32_t mask = -2 * side();
+        return Octant{Point{{corner.at[0] & mask, corner.at[1] & mask, corner.at[2] & mask}},
+                      static_cast<std::uint8_t>(level - 1)};
+    }
 };
 
 /// Number of lattice cells (side 1) in an octant of a level: 8^(lattice_bits - level).

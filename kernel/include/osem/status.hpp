@@ -25,6 +25,7 @@ enum class Status : std::uint8_t {
     // Octree.
     depth_out_of_range, ///< depth outside [1, 20], or above 19 with centre leaves
     pool_exhausted,     ///< the pool has too few free nodes; the number missing is reported beside it
+    unfinished,         ///< finish was called before step had said that nothing is left
     pools_differ,       ///< operands or result live in different pools
     point_off_root,     ///< a query point lies outside the root octant
 

@@ -69,8 +69,8 @@ class StreamReader {
     /// Takes the next bytes. Status: ok so far, or the first fault, which then stays.
     Status feed(const std::uint8_t* bytes, std::size_t count);
 
-    /// The header, once its 48 bytes have been fed and the status is ok.
-    bool has_header() const { return position_ >= stream_header_size; }
+    /// Whether a whole, undamaged header has been read; header() is meaningful from then on.
+    bool has_header() const { return header_.nodes != 0; }
     const StreamHeader& header() const { return header_; }
 
     /// Ends the stream. Status: ok; stream_truncated, stream_not_osem, stream_header_damaged,
@@ -79,20 +79,23 @@ class StreamReader {
     StreamOutcome finish();
 
   private:
-    Status take(std::uint8_t byte);
-    Status take_header();
-    Status take_node(std::uint8_t may, std::uint8_t must);
-    Status take_trailer();
+    void take(std::uint8_t byte);
+    void take_header_byte(std::uint8_t byte);
+    void take_header();
+    void take_node(std::uint8_t may, std::uint8_t must);
+    void take_trailer_byte(std::uint8_t byte);
     void fail(Status status);
 
     TreeBuilder builder_;
     StreamHeader header_ = {};
-    std::uint64_t position_ = 0;
+    std::uint64_t position_ = 0; ///< of the next byte, or of the fault
     std::uint32_t nodes_left_ = 0;
     std::uint32_t crc_ = 0;
+    std::uint32_t crc_read_ = 0;
     Status status_ = Status::ok;
-    int level_ = -1;
-    std::uint8_t may_ = 0;
+    int level_ = -1;       ///< of the last node read
+    std::uint8_t may_ = 0; ///< the first byte of a node
+    std::uint8_t trailer_left_ = 0;
     std::uint8_t left_[max_depth] = {}; ///< grey children not yet read, a level
     std::uint8_t bytes_[stream_header_size] = {};
 };

@@ -13,7 +13,8 @@ namespace osem {
 /// Outcome of building a tree, whichever way.
 struct TreeOutcome {
     Status status;
-    std::uint32_t nodes_needed; ///< nodes that the tree takes from the pool (beside those it shares)
+    std::uint32_t nodes_needed; ///< nodes the tree takes from the pool beside those it shares; 2^32 - 1: that
+                                ///< many or more
     std::uint32_t
         nodes_missing; ///< with pool_exhausted: how many more free nodes it would have needed; else 0
     Octree tree;       ///< meaningful when status is ok and the build was not a counting pass
@@ -24,12 +25,13 @@ struct TreeOutcome {
 /// is known exactly in the end. Without a pool nothing is ever written: a counting pass.
 class TreeBuilder {
   public:
-    /// Starts a tree with the root octant open. `pool` may be null: a counting pass.
-    void begin(NodePool* pool);
+    /// Starts a tree with the root octant open, its children white. A counting pass may still be given the
+    /// pool whose subtrees are grafted; `pool` may be null in a counting pass without grafts.
+    void begin(NodePool* pool, bool count_only = false);
 
-    /// Opens child `child` of the open octant. Its children may be given at once as leaves by two masks.
+    /// Opens child `child` of the open octant, its children white.
     /// Precondition: fewer than max_depth octants are open.
-    void open(unsigned child, std::uint8_t may = 0, std::uint8_t must = 0);
+    void open(unsigned child);
 
     /// Makes child `child` of the open octant a leaf. Precondition: colour is not grey.
     void leaf(unsigned child, Colour colour);
@@ -49,10 +51,11 @@ class TreeBuilder {
     /// Whether the pool has run out (it has been rolled back; building may go on to count).
     bool exhausted() const { return exhausted_; }
 
-    /// The tree. Precondition: finished().
-    TreeOutcome finish(int depth) const;
+    /// The tree, or what kept it from being. Status: ok; pool_exhausted; unfinished when the root octant is
+    /// still open, in which case the pool is rolled back.
+    TreeOutcome finish(int depth);
 
-    /// Gives the pool's nodes back, as if the build had never begun.
+    /// Gives the pool's nodes back, as if the build had never begun. After finish it does nothing.
     void abandon();
 
   private:
@@ -62,12 +65,11 @@ class TreeBuilder {
         std::uint8_t must;
         std::uint8_t child; ///< which child of the level above this is
     };
-    bool shares_group(const Level& level, std::uint8_t grey, const Node* like) const;
-    NodeIndex write_group(const Node* nodes, unsigned count);
+    bool equals_group(const Level& level, std::uint8_t grey, const Node* like) const;
+    NodeIndex write_group(Level& level, std::uint8_t grey);
 
     NodePool* pool_ = nullptr;
     std::uint32_t mark_ = 0;
-    std::uint32_t available_ = 0;
     std::uint32_t needed_ = 0;
     int level_ = -1;
     bool writing_ = false;

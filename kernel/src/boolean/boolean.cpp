@@ -1,0 +1,151 @@
+#include "osem/boolean.hpp"
+
+#include "tree/masks.hpp"
+
+namespace osem {
+
+namespace {
+
+std::uint8_t mask(int bits) { return static_cast<std::uint8_t>(bits); }
+
+// What can be said of the eight children at once, a bit a child.
+struct Settlement {
+    std::uint8_t may; // leaves of the result
+    std::uint8_t must;
+    std::uint8_t share_a; // children whose subtree in a is the result's
+    std::uint8_t share_b;
+    std::uint8_t descend; // children to be entered
+};
+
+// A grey child beside a leaf: where the leaf dominates it decides alone, where it is neutral the other's
+// subtree is the result. `may` and `must` are right wherever both are leaves or one dominates.
+Settlement settle_by(const Node& a, const Node& b, int may, int must, int dominated, int neutral_a,
+                     int neutral_b) {
+    const int grey = a.grey() | b.grey();
+    Settlement s;
+    s.share_a = mask(a.grey() & neutral_b);
+    s.share_b = mask(b.grey() & neutral_a);
+    s.descend = mask(grey & ~(dominated | s.share_a | s.share_b));
+    const int leaves = ~grey | dominated;
+    s.may = mask(may & leaves);
+    s.must = mask(must & leaves);
+    return s;
+}
+
+// Kleene's three-valued connectives on (may, must). A grey child has the bits (0, 1): black dominates it in
+// a union and white in an intersection by the connective itself; in an exclusive or the boundary, which
+// dominates whatever it meets, is put in by hand.
+Settlement settle(Operator op, const Node& a, const Node& b) {
+    if (op == Operator::unite) {
+        const int dominated = blacks(a) | blacks(b);
+        return settle_by(a, b, a.may | b.may, a.must | b.must, dominated, whites(a), whites(b));
+    }
+    if (op == Operator::exclusive_or) {
+        const int dominated = boundaries(a) | boundaries(b);
+        const int must = (a.must & ~b.may) | (~a.may & b.must);
+        const int may = ~((a.must & b.must) | (~a.may & ~b.may));
+        return settle_by(a, b, may | dominated, must & ~dominated, dominated, whites(a), whites(b));
+    }
+    const int dominated = whites(a) | whites(b);
+    return settle_by(a, b, a.may & b.may, a.must & b.must, dominated, blacks(a), blacks(b));
+}
+
+// Swapping and inverting the masks complements every leaf and leaves grey grey.
+Node complemented(const Node& node) { return Node::of(mask(~node.must), mask(~node.may), node.first()); }
+
+} // namespace
+
+Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePool& pool, bool count_only) {
+    if (a.pool != &pool || b.pool != &pool) return Status::pools_differ;
+    pool_ = &pool;
+    op_ = op;
+    complement_b_ = op == Operator::subtract; // a minus b is a and not b
+    depth_ = a.depth > b.depth ? a.depth : b.depth;
+    level_ = -1;
+    visited_ = 0;
+    builder_.begin(&pool, count_only);
+    enter(a.top, complement_b_ ? complemented(b.top) : b.top, 0);
+    return Status::ok;
+}
+
+bool Combination::step(std::uint32_t nodes) {
+    while (!builder_.finished()) {
+        Frame& frame = frames_[level_];
+        if (frame.left == 0) {
+            builder_.close(&frame.a, complement_b_ ? nullptr : &frame.b);
+            --level_;
+            continue;
+        }
+        if (nodes == 0) return true;
+        --nodes;
+        const unsigned child = lowest(frame.left);
+        frame.left = without_lowest(frame.left);
+        enter(child_of(frame.a, child, false), child_of(frame.b, child, complement_b_), child);
+    }
+    return false;
+}
+
+TreeOutcome Combination::finish() { return builder_.finish(depth_); }
+
+std::uint64_t Combination::decided_volume() const {
+    if (builder_.finished()) return root_volume;
+    std::uint64_t decided = 0;
+    for (int level = 0; level <= level_; ++level) {
+        const unsigned entered = level < level_ ? 1 : 0;
+        decided += (8 - count_bits(frames_[level].left) - entered) * volume_at(level + 1);
+    }
+    return decided;
+}
+
+void Combination::enter(const Node& a, const Node& b, unsigned child) {
+    ++visited_;
+    if (++level_ > 0) builder_.open(child);
+    Settlement s = settle(op_, a, b);
+    if (complement_b_) { // b's subtrees are not those of the result: its complement is written anew
+        s.descend = mask(s.descend | s.share_b);
+        s.share_b = 0;
+    }
+    builder_.leaves(s.may, s.must);
+    for (std::uint8_t left = s.share_a; left != 0; left = without_lowest(left)) {
+        builder_.graft(lowest(left), pool_->child(a, lowest(left)));
+    }
+    for (std::uint8_t left = s.share_b; left != 0; left = without_lowest(left)) {
+        builder_.graft(lowest(left), pool_->child(b, lowest(left)));
+    }
+    frames_[level_] = Frame{a, b, s.descend};
+    graft_common(frames_[level_]);
+}
+
+// One subtree combined with itself is itself, for the two operators that are idempotent.
+void Combination::graft_common(Frame& frame) {
+    if (op_ != Operator::unite && op_ != Operator::intersect) return;
+    for (std::uint8_t both = mask(frame.left & frame.a.grey() & frame.b.grey()); both != 0;
+         both = without_lowest(both)) {
+        const unsigned child = lowest(both);
+        const Node& node = pool_->child(frame.a, child);
+        if (node != pool_->child(frame.b, child)) continue;
+        builder_.graft(child, node);
+        frame.left = mask(frame.left & ~(1 << child));
+    }
+}
+
+Node Combination::child_of(const Node& node, unsigned child, bool complement) const {
+    const Colour colour = node.colour(child);
+    if (colour != Colour::grey) return Node::uniform(colour);
+    const Node& below = pool_->child(node, child);
+    return complement ? complemented(below) : below;
+}
+
+TreeOutcome combine(Combination& job, Operator op, const Octree& a, const Octree& b, NodePool& pool) {
+    const Status status = job.begin(op, a, b, pool);
+    if (status != Status::ok) return {status, 0, 0, a};
+    while (job.step(UINT32_MAX)) {
+    }
+    return job.finish();
+}
+
+TreeOutcome complement(Combination& job, const Octree& a, NodePool& pool) {
+    return combine(job, Operator::subtract, Octree::uniform(pool, Colour::black), a, pool);
+}
+
+} // namespace osem

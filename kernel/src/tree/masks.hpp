@@ -1,0 +1,37 @@
+// Small operations on masks of the eight children.
+#ifndef OSEM_TREE_MASKS_HPP
+#define OSEM_TREE_MASKS_HPP
+
+#include "osem/node_pool.hpp"
+
+namespace osem {
+
+/// The lowest child in a mask. Precondition: mask != 0.
+constexpr unsigned lowest(std::uint8_t mask) {
+    // The bits below the lowest set one, counted.
+    return count_bits(
+        static_cast<std::uint8_t>(static_cast<std::uint8_t>(mask - 1U) & static_cast<std::uint8_t>(~mask)));
+}
+
+constexpr std::uint8_t without_lowest(std::uint8_t mask) {
+    return static_cast<std::uint8_t>(mask & (mask - 1U));
+}
+
+/// Sets the two bits of one child to a colour.
+inline void assign_colour(std::uint8_t& may, std::uint8_t& must, unsigned child, Colour colour) {
+    const unsigned bits = static_cast<unsigned>(colour);
+    const unsigned others = ~(1U << child);
+    may = static_cast<std::uint8_t>((may & others) | ((bits & 1U) << child));
+    must = static_cast<std::uint8_t>((must & others) | ((bits >> 1) << child));
+}
+
+/// The children of one colour.
+constexpr std::uint8_t whites(const Node& node) { return static_cast<std::uint8_t>(~node.may & ~node.must); }
+constexpr std::uint8_t blacks(const Node& node) { return static_cast<std::uint8_t>(node.may & node.must); }
+constexpr std::uint8_t boundaries(const Node& node) {
+    return static_cast<std::uint8_t>(node.may & ~node.must);
+}
+
+} // namespace osem
+
+#endif

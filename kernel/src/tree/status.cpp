@@ -1,0 +1,59 @@
+#include "osem/status.hpp"
+
+namespace osem {
+
+const char* describe(Status status) {
+    switch (status) {
+    case Status::ok:
+        return "ok";
+    case Status::point_outside_frame:
+        return "point lies outside the frame";
+    case Status::shift_out_of_range:
+        return "frame shift is out of range";
+    case Status::scratch_too_small:
+        return "scratch memory is too small";
+    case Status::ring_table_invalid:
+        return "ring table is invalid";
+    case Status::index_out_of_range:
+        return "vertex index is out of range";
+    case Status::coordinate_off_lattice:
+        return "coordinate is off the lattice";
+    case Status::ring_too_short:
+        return "ring has fewer than three corners";
+    case Status::face_not_planar:
+        return "face is not planar";
+    case Status::surface_not_closed:
+        return "surface is not closed";
+    case Status::depth_out_of_range:
+        return "depth is out of range";
+    case Status::pool_exhausted:
+        return "pool has too few free nodes";
+    case Status::unfinished:
+        return "work was given up before it was done";
+    case Status::pools_differ:
+        return "trees are of different pools";
+    case Status::point_off_root:
+        return "point lies outside the root octant";
+    case Status::stream_truncated:
+        return "stream ends too early";
+    case Status::stream_not_osem:
+        return "not an Osem stream of a known version";
+    case Status::stream_header_damaged:
+        return "header is damaged";
+    case Status::stream_payload_damaged:
+        return "payload is damaged";
+    case Status::stream_too_deep:
+        return "an octant is divided below the stated depth";
+    case Status::stream_not_canonical:
+        return "a node has eight equal leaves";
+    case Status::stream_count_mismatch:
+        return "node count does not match the nodes";
+    case Status::stream_trailing_bytes:
+        return "bytes follow the end of the stream";
+    case Status::sink_refused:
+        return "sink refused a write";
+    }
+    return "unknown status";
+}
+
+} // namespace osem

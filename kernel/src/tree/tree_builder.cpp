@@ -1,0 +1,117 @@
+#include "osem/tree_builder.hpp"
+
+#include "tree/masks.hpp"
+
+namespace osem {
+
+namespace {
+
+// Stands for the index of a group that was only counted: it equals that of no group in a pool.
+constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
+
+} // namespace
+
+void TreeBuilder::begin(NodePool* pool, bool count_only) {
+    pool_ = pool;
+    mark_ = pool != nullptr ? pool->used() : 0;
+    needed_ = 0;
+    level_ = 0;
+    writing_ = pool != nullptr && !count_only;
+    exhausted_ = false;
+    top_ = Node::uniform(Colour::white);
+    levels_[0].may = 0;
+    levels_[0].must = 0;
+}
+
+void TreeBuilder::open(unsigned child) {
+    OSEM_ASSERT(level_ >= 0 && level_ + 1 < max_depth && child < 8);
+    Level& level = levels_[++level_];
+    level.may = 0;
+    level.must = 0;
+    level.child = static_cast<std::uint8_t>(child);
+}
+
+void TreeBuilder::leaves(std::uint8_t may, std::uint8_t must) {
+    levels_[level_].may = may;
+    levels_[level_].must = must;
+}
+
+void TreeBuilder::leaf(unsigned child, Colour colour) {
+    OSEM_ASSERT(colour != Colour::grey);
+    Level& level = levels_[level_];
+    assign_colour(level.may, level.must, child, colour);
+}
+
+void TreeBuilder::graft(unsigned child, const Node& node) {
+    Level& level = levels_[level_];
+    assign_colour(level.may, level.must, child, Colour::grey);
+    level.pending[child] = node;
+}
+
+bool TreeBuilder::equals_group(const Level& level, std::uint8_t grey, const Node* like) const {
+    if (like == nullptr || like->grey() != grey) return false;
+    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+        const unsigned child = lowest(left);
+        if (pool_->child(*like, child) != level.pending[child]) return false;
+    }
+    return true;
+}
+
+NodeIndex TreeBuilder::write_group(Level& level, std::uint8_t grey) {
+    std::uint32_t count = 0;
+    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+        level.pending[count++] = level.pending[lowest(left)];
+    }
+    needed_ = needed_ > UINT32_MAX - count ? UINT32_MAX : needed_ + count;
+    NodeIndex first = counted_only;
+    if (writing_ && pool_->append(level.pending, count, first) != Status::ok) {
+        pool_->roll_back(mark_);
+        writing_ = false;
+        exhausted_ = true;
+    }
+    return first;
+}
+
+void TreeBuilder::close(const Node* like, const Node* or_like) {
+    Level& level = levels_[level_];
+    const std::uint8_t grey = static_cast<std::uint8_t>(~level.may & level.must);
+    NodeIndex first = 0;
+    if (grey != 0) {
+        if (equals_group(level, grey, like)) {
+            first = like->first();
+        } else if (equals_group(level, grey, or_like)) {
+            first = or_like->first();
+        } else {
+            first = write_group(level, grey);
+        }
+    }
+    const Node node = Node::of(level.may, level.must, first);
+    --level_;
+    if (level_ < 0) {
+        top_ = node;
+    } else if (node.is_uniform()) {
+        leaf(level.child, node.colour(0));
+    } else {
+        graft(level.child, node);
+    }
+}
+
+TreeOutcome TreeBuilder::finish(int depth) {
+    TreeOutcome outcome = {Status::ok, needed_, 0, Octree{pool_, top_, static_cast<std::uint8_t>(depth)}};
+    if (exhausted_) {
+        outcome.status = Status::pool_exhausted;
+        if (finished()) outcome.nodes_missing = needed_ - (pool_->capacity() - mark_);
+    } else if (!finished()) {
+        outcome.status = Status::unfinished;
+    }
+    abandon();
+    return outcome;
+}
+
+void TreeBuilder::abandon() {
+    if (writing_ && !finished()) pool_->roll_back(mark_);
+    writing_ = false;
+    level_ = -1;
+}
+
+} // namespace osem
