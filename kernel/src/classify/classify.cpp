@@ -19,8 +19,8 @@ struct Box {
 unsigned outcode(const Point& p, const Box& box) {
     unsigned code = 0;
     for (unsigned axis = 0; axis < 3; ++axis) {
-        code |= (p.at[axis] <= box.lo.at[axis] ? 1U : 0U) << (2 * axis);
-        code |= (p.at[axis] >= box.hi.at[axis] ? 2U : 0U) << (2 * axis);
+        if (p.at[axis] <= box.lo.at[axis]) code |= 1U << (2 * axis);
+        if (p.at[axis] >= box.hi.at[axis]) code |= 2U << (2 * axis);
     }
     return code;
 }

@@ -72,7 +72,9 @@ PointOutcome leaf_at(const Octree& tree, const Point& cell) {
     for (const Node* node = &tree.top;; ++visited) {
         const std::int32_t half = leaf.octant.side() / 2;
         unsigned child = 0;
-        for (unsigned axis = 0; axis < 3; ++axis) child |= ((cell.at[axis] & half) != 0 ? 1U : 0U) << axis;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            if ((cell.at[axis] & half) != 0) child |= 1U << axis;
+        }
         leaf = Leaf{leaf.octant.child(child), node->colour(child)};
         if (leaf.colour != Colour::grey) return {Status::ok, leaf, visited};
         node = &tree.pool->child(*node, child);
