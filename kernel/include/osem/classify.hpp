@@ -36,8 +36,8 @@ struct StageCounts {
 /// Decides whether face `face` of a checked solid shares a point with the open octant. A face is the closed
 /// set of its rings and of the points its rings wind around (a winding number of the rings other than 0).
 /// Integers: 64 bits throughout. Cost: O(corners of the face); no scratch.
-/// Preconditions: face < solid.view().face_count; the octant lies in the root.
-Decision classify(const CheckedSolid& solid, std::uint32_t face, const Octant& octant);
+/// Preconditions: face < checked.view().face_count; the octant lies in the root.
+Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant& octant);
 
 } // namespace osem
 

@@ -124,7 +124,9 @@ void sift_down(Edge* edges, std::uint32_t root, std::uint32_t count, const EdgeO
 }
 
 void sort_edges(Edge* edges, std::uint32_t count, const EdgeOrder& order) {
-    for (std::uint32_t root = count / 2; root-- > 0;) sift_down(edges, root, count, order);
+    for (std::uint32_t root = count / 2; root-- > 0;) {
+        sift_down(edges, root, count, order);
+    }
     for (std::uint32_t end = count; end-- > 1;) {
         const Edge last = edges[end];
         edges[end] = edges[0];
@@ -154,15 +156,17 @@ CheckOutcome check_cycle(const Solid& solid, Edge* edges) {
     const EdgeOrder order(solid.vertices);
     sort_edges(edges, count, order);
     for (std::uint32_t first = 0; first < count;) {
-        std::int32_t balance =
-            0; // a run has at most corner_count edges; their balance only has to be told from 0
+        std::int64_t balance = 0;
         std::uint32_t end = first;
-        for (; end < count && order(edges[first], edges[end]) == 0; ++end)
+        for (; end < count && order(edges[first], edges[end]) == 0; ++end) {
             balance += order.direction(edges[end]);
+        }
         if (balance != 0) {
             CheckOutcome outcome = refusal(Status::surface_not_closed);
             const int excess = balance > 0 ? 1 : -1;
-            while (order.direction(edges[first]) != excess) ++first;
+            while (order.direction(edges[first]) != excess) {
+                ++first;
+            }
             outcome.edge = edges[first];
             return outcome;
         }

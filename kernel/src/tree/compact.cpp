@@ -34,8 +34,9 @@ class Compactor {
 
     void mark_children(const Node& node) {
         const std::uint32_t count = count_bits(node.grey());
-        for (std::uint32_t i = node.first(); i < node.first() + count; ++i)
+        for (std::uint32_t i = node.first(); i < node.first() + count; ++i) {
             marks_[i / 32] |= std::uint32_t{1} << (i % 32);
+        }
     }
 
     std::uint32_t mark_reached() {
