@@ -181,8 +181,9 @@ CheckOutcome check(const Solid& solid, Edge* scratch, std::uint32_t scratch_size
     CheckOutcome outcome = check_structure(solid);
     if (outcome.status == Status::ok) outcome = check_coordinates(solid);
     if (outcome.status == Status::ok) outcome = check_planarity(solid);
-    if (outcome.status == Status::ok && scratch_size < check_scratch(solid))
+    if (outcome.status == Status::ok && scratch_size < check_scratch(solid)) {
         outcome.status = Status::scratch_too_small;
+    }
     if (outcome.status == Status::ok) outcome = check_cycle(solid, scratch);
     if (outcome.status == Status::ok) outcome.solid = CheckedSolid::vouched(solid);
     return outcome;

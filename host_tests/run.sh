@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Runs every test that CI runs: format, freestanding proof, both compilers, with and without sanitizers, both
+# index widths, clang-tidy. Installs what it needs. Build trees go to $OSEM_BUILD_DIR (default: build/).
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=${OSEM_BUILD_DIR:-$root/build}
+jobs=$(nproc)
+. "$root/host_tests/packages.sh"
+started=$SECONDS
+stage() { printf '\n== %s (%d s)\n' "$1" $((SECONDS - started)); }
+
+stage "packages"
+install_packages cmake make g++ clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libcgal-dev libgmp-dev \
+    libmpfr-dev libcli11-dev libstb-dev libtinyobjloader-dev gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
+
+# The meshes of CGAL's demo package. Minimal images leave documentation folders out when they install, so
+# the package is unpacked by hand.
+meshes=$build/cgal-demo
+if [ ! -d "$meshes/data/meshes" ]; then
+    stage "meshes"
+    rm -rf "$meshes"
+    mkdir -p "$meshes"
+    (cd "$meshes" && apt-get download -qq libcgal-demo 2> /dev/null && dpkg-deb -x libcgal-demo_*.deb package &&
+     tar xzf package/usr/share/doc/libcgal-dev/data.tar.gz && rm -rf package libcgal-demo_*.deb)
+fi
+export OSEM_CGAL_DATA=$meshes/data
+
+stage "format"
+(cd "$root" && git ls-files '*.cpp' '*.hpp' '*.h' | xargs clang-format --dry-run --Werror)
+
+stage "freestanding"
+"$root/cross/check_freestanding.sh"
+
+# run NAME ORACLE-LEVEL CMAKE-ARGUMENTS...
+run() {
+    local name=$1 level=$2
+    shift 2
+    stage "$name: build"
+    cmake -S "$root" -B "$build/$name" "$@" > /dev/null
+    cmake --build "$build/$name" --parallel "$jobs" -- --quiet
+    stage "$name: test"
+    OSEM_ORACLE_LEVEL=$level ctest --test-dir "$build/$name" --parallel "$jobs" --output-on-failure --no-tests=error \
+        --progress | tail -n 40
+}
+run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release
+run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Debug -DOSEM_SANITIZE=ON
+run clang-release fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release
+run clang-sanitize fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DOSEM_SANITIZE=ON -DOSEM_BUILD_ORACLE=OFF
+run gcc-16-bit fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_NODE_INDEX_BITS=16 \
+    -DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_TOOL=OFF
+
+stage "tidy"
+(cd "$root" && git ls-files 'kernel/*.cpp' 'port/*.cpp' |
+ xargs --max-args=1 --max-procs="$jobs" clang-tidy --quiet -p "$build/clang-release" 2> /dev/null)
+
+stage "quick start"
+OSEM_BUILD_DIR=$build bash "$root/port/host/quickstart.sh" "$build/out" > "$build/quickstart.log"
+tail -n 1 "$build/quickstart.log"
+
+stage "all passed"
