@@ -82,6 +82,9 @@ using PlaneValue = decltype(NormalComponent::claim(0) * QueryDifference::claim(0
                             NormalComponent::claim(0) * QueryDifference::claim(0) +
                             NormalComponent::claim(0) * QueryDifference::claim(0));
 
+// What the kernel takes for granted of a compiler.
+static_assert(sizeof(int) >= 4 && (-1 >> 1) == -1 && static_cast<std::uint8_t>(-1) == 0xff,
+              "int of 32 bits or more, arithmetic right shift, two's complement bytes");
 static_assert(sizeof(VertexDifference) == 4 && sizeof(QueryDifference) == 4, "differences stay in 32 bits");
 static_assert(sizeof(PlaneValue) == 8, "plane values stay in 64 bits");
 

@@ -25,30 +25,30 @@ unsigned outcode(const Point& p, const Box& box) {
     return code;
 }
 
-bool outside_closed(const Point& p, const Box& box) {
-    bool outside = false;
-    for (int axis = 0; axis < 3; ++axis) {
-        outside |= p.at[axis] < box.lo.at[axis] || p.at[axis] > box.hi.at[axis];
-    }
-    return outside;
-}
-
 // What one pass over a face's corners tells stages 1 and 3.
 struct CornerSurvey {
     unsigned common = ~0U;        // outcode bits common to all corners
     bool strictly_inside = false; // some corner is in the open box
-    bool all_within = true;       // every corner is in the closed box
 
     CornerSurvey(const Solid& solid, const std::uint32_t* corner, const std::uint32_t* end, const Box& box) {
         for (; corner != end; ++corner) {
-            const Point& p = solid.vertices[*corner];
-            const unsigned code = outcode(p, box);
+            const unsigned code = outcode(solid.vertices[*corner], box);
             common &= code;
             strictly_inside |= code == 0;
-            all_within &= !outside_closed(p, box);
         }
     }
 };
+
+bool all_in_closed(const Solid& solid, const std::uint32_t* corner, const std::uint32_t* end,
+                   const Box& box) {
+    for (; corner != end; ++corner) {
+        const Point& p = solid.vertices[*corner];
+        for (int axis = 0; axis < 3; ++axis) {
+            if (p.at[axis] < box.lo.at[axis] || p.at[axis] > box.hi.at[axis]) return false;
+        }
+    }
+    return true;
+}
 
 // The box corner at which the plane's value is greatest (towards > 0) or least (towards < 0).
 Point extreme_corner(const Plane& plane, const Box& box, int towards) {
@@ -78,21 +78,23 @@ bool line_meets_square(const Point& a, const Point& b, const Box& box, int along
     return orientation(a, b, least, p).value() < 0 && orientation(a, b, greatest, p).value() > 0;
 }
 
-// Closed segment against open box by separating axes: the box's axes (outcodes) and their cross products
-// with the edge. They suffice, because the Minkowski difference of the two has no other face normals.
-bool edge_meets(const Point& a, const Point& b, const Box& box) {
-    return (outcode(a, box) & outcode(b, box)) == 0 && line_meets_square(a, b, box, 0) &&
-           line_meets_square(a, b, box, 1) && line_meets_square(a, b, box, 2);
-}
-
+// Closed segment against open box by separating axes: the box's axes (the outcodes' common bits) and their
+// cross products with the edge. They suffice, because the Minkowski difference of the two has no other face
+// normals.
 bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
     for (std::uint32_t r = solid.first_ring(face); r < solid.end_ring(face); ++r) {
         const Ring ring = solid.ring(r);
         const Point* a = &solid.vertices[ring.corners[ring.count - 1]];
+        unsigned a_code = outcode(*a, box);
         for (std::uint32_t i = 0; i < ring.count; ++i) {
             const Point* b = &solid.vertices[ring.corners[i]];
-            if (edge_meets(*a, *b, box)) return true;
+            const unsigned b_code = outcode(*b, box);
+            if ((a_code & b_code) == 0 && line_meets_square(*a, *b, box, 0) &&
+                line_meets_square(*a, *b, box, 1) && line_meets_square(*a, *b, box, 2)) {
+                return true;
+            }
             a = b;
+            a_code = b_code;
         }
     }
     return false;
@@ -164,7 +166,9 @@ Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant&
 
     // A triangle within the closed octant whose plane meets the open one has its inner points there. (A
     // longer ring may run back on itself and have none.)
-    if (survey.strictly_inside || (survey.all_within && end - first == 3)) return {Stage::vertices, true};
+    if (survey.strictly_inside || (end - first == 3 && all_in_closed(solid, first, end, box))) {
+        return {Stage::vertices, true};
+    }
 
     if (any_edge_meets(solid, face, box)) return {Stage::section, true};
     if (!has_area) return {Stage::section, false};
