@@ -1,6 +1,7 @@
 #include "osem/solid.hpp"
 
 #include "geometry/plane.hpp"
+#include "solid/edge_sort.hpp"
 
 namespace osem {
 
@@ -83,58 +84,6 @@ CheckOutcome check_planarity(const Solid& solid) {
     return refusal(Status::ok);
 }
 
-int compare(const Point& a, const Point& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (a.at[axis] != b.at[axis]) return a.at[axis] < b.at[axis] ? -1 : 1;
-    }
-    return 0;
-}
-
-// Edges ordered by the place they lie at, whichever way they run.
-class EdgeOrder {
-  public:
-    explicit EdgeOrder(const Point* vertices) : vertices_(vertices) {}
-
-    /// 1 when the edge runs from its lower to its higher end, -1 the other way, 0 when it has no length.
-    int direction(const Edge& e) const { return -compare(vertices_[e.from], vertices_[e.to]); }
-
-    int operator()(const Edge& a, const Edge& b) const {
-        const bool a_up = direction(a) >= 0;
-        const bool b_up = direction(b) >= 0;
-        const int low = compare(vertices_[a_up ? a.from : a.to], vertices_[b_up ? b.from : b.to]);
-        if (low != 0) return low;
-        return compare(vertices_[a_up ? a.to : a.from], vertices_[b_up ? b.to : b.from]);
-    }
-
-  private:
-    const Point* vertices_;
-};
-
-// Heapsort: in place, no recursion, O(n log n) at worst.
-void sift_down(Edge* edges, std::uint32_t root, std::uint32_t count, const EdgeOrder& order) {
-    const Edge sifted = edges[root];
-    while (root < count / 2) { // count / 2 is the first without children
-        std::uint32_t child = 2 * root + 1;
-        if (child + 1 < count && order(edges[child], edges[child + 1]) < 0) ++child;
-        if (order(sifted, edges[child]) >= 0) break;
-        edges[root] = edges[child];
-        root = child;
-    }
-    edges[root] = sifted;
-}
-
-void sort_edges(Edge* edges, std::uint32_t count, const EdgeOrder& order) {
-    for (std::uint32_t root = count / 2; root-- > 0;) {
-        sift_down(edges, root, count, order);
-    }
-    for (std::uint32_t end = count; end-- > 1;) {
-        const Edge last = edges[end];
-        edges[end] = edges[0];
-        edges[0] = last;
-        sift_down(edges, 0, end, order);
-    }
-}
-
 std::uint32_t collect_edges(const Solid& solid, Edge* edges) {
     std::uint32_t count = 0;
     for (std::uint32_t face = 0; face < solid.face_count; ++face) {
@@ -150,29 +99,36 @@ std::uint32_t collect_edges(const Solid& solid, Edge* edges) {
     return count;
 }
 
-// Runs of edges at one place must be used as often one way as the other.
-CheckOutcome check_cycle(const Solid& solid, Edge* edges) {
-    const std::uint32_t count = collect_edges(solid, edges);
-    const EdgeOrder order(solid.vertices);
+// Sorts edges and drops, from every run at one place, those that run against another. What is left is the
+// surplus of each place, one way; says how many edges that is.
+std::uint32_t cancel_edges(Edge* edges, std::uint32_t count, const EdgeOrder& order) {
     sort_edges(edges, count, order);
+    std::uint32_t left = 0;
     for (std::uint32_t first = 0; first < count;) {
+        const Edge run = edges[first];
+        Edge up = run; // some edge of the run each way, where there is one
+        Edge down = run;
         std::int64_t balance = 0;
-        std::uint32_t end = first;
-        for (; end < count && order(edges[first], edges[end]) == 0; ++end) {
-            balance += order.direction(edges[end]);
+        for (; first < count && order(run, edges[first]) == 0; ++first) {
+            const int direction = order.direction(edges[first]);
+            (direction > 0 ? up : down) = edges[first];
+            balance += direction;
         }
-        if (balance != 0) {
-            CheckOutcome outcome = refusal(Status::surface_not_closed);
-            const int excess = balance > 0 ? 1 : -1;
-            while (order.direction(edges[first]) != excess) {
-                ++first;
-            }
-            outcome.edge = edges[first];
-            return outcome;
+        for (; balance != 0; balance += balance > 0 ? -1 : 1) {
+            edges[left++] = balance > 0 ? up : down;
         }
-        first = end;
     }
-    return refusal(Status::ok);
+    return left;
+}
+
+// First by vertex index, which is quick and leaves nothing of a welded closed surface; what is left by place.
+CheckOutcome check_cycle(const Solid& solid, Edge* edges) {
+    std::uint32_t count = collect_edges(solid, edges);
+    count = cancel_edges(edges, count, EdgeOrder(nullptr));
+    count = cancel_edges(edges, count, EdgeOrder(solid.vertices));
+    CheckOutcome outcome = refusal(count == 0 ? Status::ok : Status::surface_not_closed);
+    if (count != 0) outcome.edge = edges[0];
+    return outcome;
 }
 
 } // namespace

@@ -103,13 +103,15 @@ TreeOutcome TreeBuilder::finish(int depth) {
         if (finished()) outcome.nodes_missing = needed_ - (pool_->capacity() - mark_);
     } else if (!finished()) {
         outcome.status = Status::unfinished;
+    } else {
+        writing_ = false; // the nodes are the tree's now
     }
     abandon();
     return outcome;
 }
 
 void TreeBuilder::abandon() {
-    if (writing_ && !finished()) pool_->roll_back(mark_);
+    if (writing_) pool_->roll_back(mark_);
     writing_ = false;
     level_ = -1;
 }

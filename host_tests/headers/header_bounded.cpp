@@ -1,0 +1,2 @@
+#include "osem/bounded.hpp"
+#include "osem/bounded.hpp" // and once more: the guard

@@ -1,0 +1,2 @@
+#include "osem/classify.hpp"
+#include "osem/classify.hpp" // and once more: the guard

@@ -1,0 +1,2 @@
+#include "osem/config.hpp"
+#include "osem/config.hpp" // and once more: the guard

@@ -1,0 +1,2 @@
+#include "osem/convert.hpp"
+#include "osem/convert.hpp" // and once more: the guard

@@ -1,0 +1,2 @@
+#include "osem/osem.hpp"
+#include "osem/osem.hpp" // and once more: the guard

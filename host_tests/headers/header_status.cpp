@@ -1,0 +1,2 @@
+#include "osem/status.hpp"
+#include "osem/status.hpp" // and once more: the guard

@@ -1,0 +1,2 @@
+#include "osem/stream.hpp"
+#include "osem/stream.hpp" // and once more: the guard

@@ -1,0 +1,2 @@
+#include "osem/tree_builder.hpp"
+#include "osem/tree_builder.hpp" // and once more: the guard

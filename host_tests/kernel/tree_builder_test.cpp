@@ -1,0 +1,161 @@
+#include "osem/tree_builder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/dense_grid.hpp"
+#include "support/heap_pool.hpp"
+
+namespace osem::tests {
+
+namespace {
+
+TEST(TreeBuilder, CountsWithoutAPool) {
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        const DenseGrid grid = random_grid(3, seed, three_colours);
+        const TreeOutcome counted = plant(grid, nullptr);
+        EXPECT_EQ(counted.status, Status::ok);
+        EXPECT_EQ(counted.nodes_needed, preorder_masks(grid).size() - 1) << "seed " << seed;
+
+        HeapPool pool(2000);
+        const TreeOutcome also_counted = plant(grid, &*pool, true);
+        EXPECT_EQ(also_counted.nodes_needed, counted.nodes_needed);
+        EXPECT_EQ(pool->peak(), 0U);
+
+        const TreeOutcome built = plant(grid, &*pool);
+        EXPECT_EQ(built.nodes_needed, counted.nodes_needed);
+        EXPECT_EQ(pool->used(), counted.nodes_needed);
+        EXPECT_EQ(built.nodes_missing, 0U);
+    }
+}
+
+TEST(TreeBuilder, ExhaustionAtEveryCapacity) {
+    const DenseGrid grid = random_grid(3, 5, three_colours);
+    const std::uint32_t needed = plant(grid, nullptr).nodes_needed;
+    ASSERT_GT(needed, 20U);
+    for (std::uint32_t room = 0; room < needed; ++room) {
+        HeapPool pool(3 + room);
+        pool.fill_to(3);
+        const PoolImage before(pool);
+        const TreeOutcome outcome = plant(grid, &*pool);
+        EXPECT_EQ(outcome.status, Status::pool_exhausted);
+        EXPECT_EQ(outcome.nodes_needed, needed);
+        EXPECT_EQ(outcome.nodes_missing, needed - room);
+        EXPECT_TRUE(before.same_nodes(pool));
+        EXPECT_GT(pool->refused(), before.refused());
+    }
+}
+
+TEST(TreeBuilder, GivingUpRollsBack) {
+    for (const bool by_finish : {false, true}) {
+        HeapPool pool(100);
+        pool.fill_to(7);
+        const PoolImage before(pool);
+        TreeBuilder builder;
+        builder.begin(&*pool);
+        builder.open(3);
+        builder.open(2);
+        builder.leaf(1, Colour::black);
+        builder.close();
+        builder.close(); // the inner octant's node is in the pool from here on
+        EXPECT_EQ(pool->used(), 8U);
+        EXPECT_FALSE(builder.finished());
+        if (by_finish) {
+            EXPECT_EQ(builder.finish(4).status, Status::unfinished);
+        } else {
+            builder.abandon();
+        }
+        EXPECT_TRUE(before.same_nodes(pool));
+    }
+}
+
+// Up to finish the nodes can be given back, the root octant being closed or not.
+TEST(TreeBuilder, AClosedTreeCanStillBeAbandoned) {
+    HeapPool pool(100);
+    pool.fill_to(7);
+    const PoolImage before(pool);
+    TreeBuilder builder;
+    builder.begin(&*pool);
+    builder.open(3);
+    builder.leaf(1, Colour::black);
+    builder.close();
+    builder.close();
+    ASSERT_TRUE(builder.finished());
+    builder.abandon();
+    EXPECT_TRUE(before.same_nodes(pool));
+}
+
+TEST(TreeBuilder, AbandonAfterFinishDoesNothing) {
+    HeapPool pool(100);
+    TreeBuilder builder;
+    builder.begin(&*pool);
+    builder.open(3);
+    builder.leaf(1, Colour::black);
+    builder.close();
+    builder.close();
+    const Octree tree = builder.finish(2).tree;
+    builder.abandon();
+    EXPECT_EQ(pool->used(), 1U);
+    EXPECT_EQ(measure(tree).black_leaves, 1U);
+}
+
+TEST(TreeBuilder, LaterLeavesReplaceEarlierOnes) {
+    HeapPool pool(8);
+    TreeBuilder builder;
+    builder.begin(&*pool);
+    builder.leaves(0b0101, 0b0001); // black, white, boundary
+    builder.leaf(0, Colour::boundary);
+    builder.leaf(2, Colour::black);
+    builder.leaf(3, Colour::black);
+    builder.leaf(3, Colour::white);
+    builder.close();
+    const Octree tree = builder.finish(1).tree;
+    EXPECT_EQ(tree.top, Node::of(0b0101, 0b0100, 0));
+    EXPECT_EQ(pool->used(), 0U);
+}
+
+TEST(TreeBuilder, GraftsAreShared) {
+    HeapPool pool(3000);
+    const DenseGrid part = random_grid(3, 11, three_colours);
+    const Octree graft = planted(part, *pool);
+    const std::uint32_t used = pool->used();
+    TreeBuilder builder;
+    builder.begin(&*pool);
+    for (unsigned k = 0; k < 8; ++k) builder.graft(k, graft.top);
+    builder.close();
+    const TreeOutcome outcome = builder.finish(4);
+    EXPECT_EQ(outcome.nodes_needed, 8U); // copies of the top; what is below stands once
+    EXPECT_EQ(pool->used(), used + 8);
+    DenseGrid expected(4);
+    for (std::size_t cell = 0; cell < expected.size(); ++cell) expected[cell] = part[cell % part.size()];
+    EXPECT_EQ(expand(outcome.tree, 4), expected);
+    EXPECT_EQ(digest(outcome.tree), expected_digest(expected));
+}
+
+TEST(TreeBuilder, AGroupLikeAnotherIsNotWrittenAgain) {
+    HeapPool pool(3000);
+    const Octree a = planted(random_grid(3, 12, three_colours), *pool);
+    const Octree b = planted(random_grid(3, 13, three_colours), *pool);
+    const std::uint32_t used = pool->used();
+    for (const bool is_a : {false, true}) {
+        const Octree& tree = is_a ? a : b;
+        const Octree& other = is_a ? b : a;
+        ASSERT_NE(tree.top.grey(), 0);
+        for (const bool is_first : {false, true}) {
+            TreeBuilder builder;
+            builder.begin(&*pool);
+            builder.leaves(tree.top.may, static_cast<std::uint8_t>(tree.top.must & ~tree.top.grey()));
+            for (unsigned k = 0; k < 8; ++k) {
+                if (tree.top.colour(k) == Colour::grey) builder.graft(k, pool->child(tree.top, k));
+            }
+            is_first ? builder.close(&tree.top, &other.top) : builder.close(&other.top, &tree.top);
+            const TreeOutcome outcome = builder.finish(3);
+            EXPECT_EQ(outcome.nodes_needed, 0U);
+            EXPECT_EQ(outcome.tree.top, tree.top);
+            EXPECT_EQ(pool->used(), used);
+        }
+    }
+}
+
+} // namespace
+
+} // namespace osem::tests

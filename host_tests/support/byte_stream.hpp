@@ -1,0 +1,41 @@
+// Streams built by hand, byte by byte, and ways to write and read them.
+#ifndef OSEM_SUPPORT_BYTE_STREAM_HPP
+#define OSEM_SUPPORT_BYTE_STREAM_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "osem/stream.hpp"
+#include "support/dense_grid.hpp"
+
+namespace osem::tests {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// CRC-32 a bit at a time, as the standard defines it.
+std::uint32_t plain_crc(const std::uint8_t* bytes, std::size_t count);
+
+/// The fields of a stream; their bytes are laid out as the header documents, with right checksums.
+struct StreamModel {
+    Bytes magic{'O', 'S', 'E', 'M', 1};
+    std::uint8_t depth = 1;
+    std::uint8_t leaf_rule = 0;
+    std::uint8_t zero = 0;
+    std::uint64_t frame[4] = {0, 0, 0, 0};
+    std::uint32_t nodes = 0;
+    Bytes payload;
+
+    explicit StreamModel(int tree_depth, const Masks& masks);
+    Bytes bytes() const;
+};
+
+/// What write_stream writes.
+Bytes written(const Octree& tree, const StreamHeader& header);
+
+/// Reads whole streams in chunks. `reader` is the working memory.
+StreamOutcome read_stream(StreamReader& reader, const Bytes& bytes, NodePool* pool,
+                          std::size_t chunk = SIZE_MAX);
+
+} // namespace osem::tests
+
+#endif

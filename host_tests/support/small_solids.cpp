@@ -1,0 +1,243 @@
+#include "support/small_solids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+namespace osem::tests {
+
+void SmallSolid::add_face(const std::vector<Polygon>& rings) {
+    for (const Polygon& ring : rings) {
+        for (const Point& corner : ring) {
+            corners_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+            vertices_.push_back(corner);
+        }
+        ring_starts_.push_back(static_cast<std::uint32_t>(corners_.size()));
+    }
+    face_rings_.push_back(static_cast<std::uint32_t>(ring_starts_.size() - 1));
+    faces_.push_back(rings);
+}
+
+void SmallSolid::add(const SmallSolid& other) {
+    for (const auto& rings : other.faces_) add_face(rings);
+}
+
+SmallSolid SmallSolid::shuffled(std::uint32_t seed) const {
+    std::mt19937 random(seed);
+    std::vector<std::vector<Polygon>> faces = faces_;
+    for (std::size_t i = faces.size(); i > 1; --i) std::swap(faces[i - 1], faces[random() % i]);
+    SmallSolid solid;
+    solid.mesh_ = mesh_;
+    for (auto& rings : faces) {
+        for (Polygon& ring : rings) {
+            const std::size_t turn = random() % ring.size();
+            std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(turn), ring.end());
+        }
+        solid.add_face(rings);
+    }
+    return solid;
+}
+
+SmallSolid SmallSolid::inverted() const {
+    SmallSolid solid;
+    solid.mesh_ = mesh_;
+    for (auto rings : faces_) {
+        for (Polygon& ring : rings) std::reverse(ring.begin(), ring.end());
+        solid.add_face(rings);
+    }
+    return solid;
+}
+
+SmallSolid SmallSolid::triangulated() const {
+    SmallSolid solid;
+    solid.mesh_ = true;
+    for (const auto& rings : faces_) {
+        const Polygon& ring = rings.front();
+        for (std::size_t i = 2; i < ring.size(); ++i) solid.add_face({{ring[0], ring[i - 1], ring[i]}});
+    }
+    return solid;
+}
+
+Solid SmallSolid::view() const {
+    const auto vertex_count = static_cast<std::uint32_t>(vertices_.size());
+    if (mesh_) return triangle_mesh(vertices_.data(), vertex_count, corners_.data(), face_count());
+    return Solid{
+        vertices_.data(),    vertex_count,       corners_.data(), static_cast<std::uint32_t>(corners_.size()),
+        ring_starts_.data(), face_rings_.data(), face_count()};
+}
+
+CheckedSolid SmallSolid::checked() const {
+    const Solid solid = view();
+    std::vector<Edge> scratch(check_scratch(solid));
+    const CheckOutcome outcome = check(solid, scratch.data(), static_cast<std::uint32_t>(scratch.size()));
+    EXPECT_EQ(outcome.status, Status::ok) << describe(outcome.status);
+    return CheckedSolid::vouched(solid);
+}
+
+TreeOutcome converted(const SmallSolid& solid, const ConvertOptions& options, NodePool* pool) {
+    Conversion job;
+    std::vector<std::uint32_t> scratch(solid.face_count());
+    return convert(job, solid.checked(), options, scratch.data(), solid.face_count(), pool);
+}
+
+SmallSolid box_solid(const Box& box) {
+    SmallSolid solid;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        for (const bool is_high : {false, true}) {
+            Polygon ring;
+            for (const unsigned k : {0U, 1U, 3U, 2U}) { // counter-clockwise as seen from above along the axis
+                Point p = is_high ? box.high : box.low;
+                p.at[u] = (k & 1U) != 0 ? box.high.at[u] : box.low.at[u];
+                p.at[v] = (k & 2U) != 0 ? box.high.at[v] : box.low.at[v];
+                ring.push_back(p);
+            }
+            if (is_high != (box.winding > 0)) std::reverse(ring.begin(), ring.end());
+            solid.add_face({ring});
+        }
+    }
+    return solid;
+}
+
+SmallSolid boxes_solid(const std::vector<Box>& boxes) {
+    SmallSolid solid;
+    for (const Box& box : boxes) solid.add(box_solid(box));
+    return solid;
+}
+
+namespace {
+
+Colour colour_of_winding(WindingRule rule, int winding) {
+    const bool inside = rule == WindingRule::nonzero    ? winding != 0
+                        : rule == WindingRule::positive ? winding > 0
+                                                        : std::abs(winding) % 2 == 1;
+    return inside ? Colour::black : Colour::white;
+}
+
+} // namespace
+
+Colour box_colour(const std::vector<Box>& boxes, WindingRule rule, const Point& corner, std::int32_t side) {
+    int winding = 0;
+    for (const Box& box : boxes) {
+        bool cell_meets_box = true;
+        bool cell_in_box = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t low = corner.at[axis];
+            const std::int32_t high = low + side;
+            if (high <= box.low.at[axis] || low >= box.high.at[axis]) cell_meets_box = false;
+            if (low < box.low.at[axis] || high > box.high.at[axis]) cell_in_box = false;
+        }
+        if (cell_meets_box && !cell_in_box) return Colour::boundary;
+        if (cell_in_box) winding += box.winding;
+    }
+    return colour_of_winding(rule, winding);
+}
+
+Colour box_centre_colour(const std::vector<Box>& boxes, WindingRule rule, const Point& corner,
+                         std::int32_t side) {
+    int winding = 0;
+    for (const Box& box : boxes) {
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t middle = corner.at[axis] + side / 2;
+            if (middle < box.low.at[axis] || middle >= box.high.at[axis]) inside = false;
+        }
+        if (inside) winding += box.winding;
+    }
+    return colour_of_winding(rule, winding);
+}
+
+SmallSolid tunnel_solid(const Tunnel& tunnel) {
+    Box inner = tunnel.inner;
+    inner.low.at[tunnel.axis] = tunnel.outer.low.at[tunnel.axis];
+    inner.high.at[tunnel.axis] = tunnel.outer.high.at[tunnel.axis];
+    inner.winding = -tunnel.outer.winding;
+    const SmallSolid outside = box_solid(tunnel.outer);
+    const SmallSolid inside = box_solid(inner);
+    SmallSolid solid;
+    for (int face = 0; face < 6; ++face) {
+        const auto f = static_cast<std::size_t>(face);
+        if (face / 2 == tunnel.axis) {
+            solid.add_face({outside.faces()[f][0], inside.faces()[f][0]});
+        } else {
+            solid.add_face(outside.faces()[f]);
+            solid.add_face(inside.faces()[f]);
+        }
+    }
+    return solid;
+}
+
+namespace {
+
+// The box of the tunnel's hole, without ends along the axis.
+Box endless_hole(const Tunnel& tunnel) {
+    Box hole = tunnel.inner;
+    hole.low.at[tunnel.axis] = -root_side;
+    hole.high.at[tunnel.axis] = 2 * root_side;
+    hole.winding = 1;
+    return hole;
+}
+
+} // namespace
+
+Colour tunnel_colour(const Tunnel& tunnel, const Point& corner, std::int32_t side) {
+    const Colour outer = box_colour({tunnel.outer}, WindingRule::nonzero, corner, side);
+    const Colour hole = box_colour({endless_hole(tunnel)}, WindingRule::nonzero, corner, side);
+    if (outer == Colour::white || hole == Colour::black) return Colour::white;
+    return outer == Colour::black && hole == Colour::white ? Colour::black : Colour::boundary;
+}
+
+Colour tunnel_centre_colour(const Tunnel& tunnel, const Point& corner, std::int32_t side) {
+    const Colour outer = box_centre_colour({tunnel.outer}, WindingRule::nonzero, corner, side);
+    const Colour hole = box_centre_colour({endless_hole(tunnel)}, WindingRule::nonzero, corner, side);
+    return outer == Colour::black && hole == Colour::white ? Colour::black : Colour::white;
+}
+
+SmallSolid octahedron_solid(const Octahedron& octahedron) {
+    SmallSolid solid;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        Polygon ring;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            Point tip = octahedron.centre;
+            tip.at[axis] += ((octant >> axis) & 1U) != 0 ? octahedron.radius : -octahedron.radius;
+            ring.push_back(tip);
+        }
+        const bool is_mirrored = octant == 0 || octant == 3 || octant == 5 || octant == 6;
+        if (is_mirrored) std::reverse(ring.begin(), ring.end());
+        solid.add_face({ring});
+    }
+    return solid;
+}
+
+// The cell meets the solid when the cell's nearest point is nearer than the radius (the distance is least at
+// a side of the cell, which is not part of it, unless it is 0), and lies in it when the farthest is not
+// farther.
+Colour octahedron_colour(const Octahedron& octahedron, const Point& corner, std::int32_t side) {
+    std::int64_t nearest = 0;
+    std::int64_t farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t low = std::int64_t{corner.at[axis]} - octahedron.centre.at[axis];
+        const std::int64_t high = low + side;
+        nearest += low > 0 ? low : high < 0 ? -high : 0;
+        farthest += std::max(std::abs(low), std::abs(high));
+    }
+    if (farthest <= octahedron.radius) return Colour::black;
+    return nearest < octahedron.radius ? Colour::boundary : Colour::white;
+}
+
+// A centre on the surface is moved off it by the greatest of its moves, along x.
+Colour octahedron_centre_colour(const Octahedron& octahedron, const Point& corner, std::int32_t side) {
+    std::int64_t distance = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        distance += std::abs(std::int64_t{corner.at[axis]} + side / 2 - octahedron.centre.at[axis]);
+    }
+    if (distance != octahedron.radius) {
+        return distance < octahedron.radius ? Colour::black : Colour::white;
+    }
+    return corner.at[0] + side / 2 < octahedron.centre.at[0] ? Colour::black : Colour::white;
+}
+
+} // namespace osem::tests

@@ -1,0 +1,149 @@
+// Exit codes, single-line errors, and no file left behind.
+#include <cstdlib>
+#include <ostream>
+#include <sstream>
+#include <streambuf>
+
+#include <sys/wait.h>
+
+#include "support.hpp"
+#include "tool.hpp"
+
+namespace osem::tool_test {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names commands = {"check", "convert",    "union",  "intersection", "difference", "xor",
+                        "info",  "complement", "leaves", "image",        "slice"};
+
+TEST_F(Tool, HelpListsEveryCommandAndEachHasHelp) {
+    const Ran ran = osem({"--help"});
+    ASSERT_TRUE(succeeded(ran));
+    for (const std::string& command : commands) {
+        EXPECT_NE(ran.out.find("\n  " + command + " "), std::string::npos) << command;
+        EXPECT_TRUE(succeeded(osem({command, "--help"}))) << command;
+    }
+}
+
+TEST_F(Tool, WrongUsageExitsWithOne) {
+    EXPECT_TRUE(failed(osem({}), 1, ""));
+    EXPECT_TRUE(failed(osem({"melt"}), 1, ""));
+    for (const std::string& command : commands) EXPECT_TRUE(failed(osem({command}), 1, "")) << command;
+    EXPECT_TRUE(failed(osem({"info", "a.osem", "b.osem"}), 1, "b.osem"));
+    EXPECT_TRUE(failed(osem({"info", "a.osem", "--louder"}), 1, "--louder"));
+    EXPECT_TRUE(failed(osem({"union", "a.osem", "-o", "c.osem"}), 1, "B"));
+}
+
+TEST_F(Tool, OptionsOutOfRangeAreWrongUsage) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    const Names before = files();
+    const auto convert = [&](const Names& options) {
+        Names line = {"convert", path("box.off"), "-o", path("out.osem")};
+        line.insert(line.end(), options.begin(), options.end());
+        return osem(line);
+    };
+    EXPECT_TRUE(failed(convert({"--depth", "0"}), 1, "--depth"));
+    EXPECT_TRUE(failed(convert({"--depth", "21"}), 1, "--depth"));
+    EXPECT_TRUE(failed(convert({"--depth", "deep"}), 1, "--depth"));
+    EXPECT_TRUE(failed(convert({"--depth", "20", "--leaves", "centre"}), 1, "--depth"));
+    EXPECT_TRUE(failed(convert({"--leaves", "round"}), 1, "--leaves"));
+    EXPECT_TRUE(failed(convert({"--winding", "even"}), 1, "--winding"));
+    for (const char* frame : {"", "0,0,0", "0,0,0,1,2", "0,0,0,0", "0,0,0,-1", "0,0,0,inf", "nan,0,0,1",
+                              "0,0,0,1x", "0 0 0 1", "0,0,0,1e999", "1e308,0,0,1.7e308"}) {
+        EXPECT_TRUE(failed(convert({"--frame", frame}), 1, "--frame")) << frame;
+    }
+    EXPECT_TRUE(
+        failed(osem({"image", path("box.osem"), "-o", path("o.png"), "--view", "behind"}), 1, "--view"));
+    EXPECT_TRUE(
+        failed(osem({"image", path("box.osem"), "-o", path("o.png"), "--view", "0,91"}), 1, "--view"));
+    EXPECT_TRUE(failed(osem({"image", path("box.osem"), "-o", path("o.png"), "--size", "15"}), 1, "--size"));
+    EXPECT_TRUE(failed(osem({"slice", path("box.osem"), "-o", path("o.png"), "--axis", "w", "--at", "0"}), 1,
+                       "--axis"));
+    EXPECT_TRUE(failed(osem({"slice", path("box.osem"), "-o", path("o.png"), "--axis", "x", "--at", "mid"}),
+                       1, "--at"));
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Tool, MissingInputExitsWithTwoAndLeavesNoFile) {
+    const std::string none = path("none.osem");
+    const std::string out = path("out");
+    for (const Names& line : {Names{"check", path("none.off")}, Names{"convert", path("none.off"), "-o", out},
+                              Names{"union", none, none, "-o", out}, Names{"complement", none, "-o", out},
+                              Names{"info", none}, Names{"leaves", none}, Names{"image", none, "-o", out},
+                              Names{"slice", none, "-o", out, "--axis", "x", "--at", "0"}}) {
+        EXPECT_TRUE(failed(osem(line), 2, "none.")) << line[0];
+    }
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Tool, OutputInAMissingFolderIsRefused) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    const Names before = files();
+    const std::string in = path("box.osem");
+    const std::string out = path("nowhere/out");
+    for (const Names& line :
+         {Names{"convert", path("box.off"), "-o", out}, Names{"union", in, in, "-o", out},
+          Names{"convert", path("box.off"), "-o", path("good.osem"), "--quantized", out},
+          Names{"complement", in, "-o", out}, Names{"image", in, "-o", out, "--size", "16"},
+          Names{"slice", in, "-o", out, "--axis", "x", "--at", "0"}}) {
+        EXPECT_TRUE(failed(osem(line), 2, "nowhere/out")) << line[0];
+    }
+    EXPECT_TRUE(failed(osem({"complement", in, "-o", path(".")}), 2, "directory"));
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Tool, AFailureKeepsTheFileThatWasThere) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    write_file(path("open.off"), "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n");
+    write_file(path("out.osem"), "precious");
+    const Names before = files();
+    EXPECT_TRUE(failed(osem({"check", path("open.off")}), 2, "open.off"));
+    EXPECT_TRUE(failed(osem({"convert", path("open.off"), "-o", path("out.osem")}), 2, "open.off"));
+    EXPECT_TRUE(
+        failed(osem({"union", path("box.osem"), path("open.off"), "-o", path("out.osem")}), 2, "open.off"));
+    EXPECT_EQ(read_file(path("out.osem")), "precious");
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Tool, AnOutputMayReplaceAnOperand) {
+    make_box("a", {0, 0, 0}, {0.5, 1, 1});
+    make_box("b", {0, 0, 0}, {0.5, 1, 1});
+    ASSERT_TRUE(succeeded(osem({"union", path("a.osem"), path("b.osem"), "-o", path("a.osem")})));
+    EXPECT_EQ(read_file(path("a.osem")), read_file(path("b.osem")));
+}
+
+TEST_F(Tool, ANameWithALineBreakIsReportedOnOneLine) {
+    EXPECT_TRUE(failed(osem({"info", path("two\nlines.osem")}), 2, "two lines.osem"));
+}
+
+// A stream that takes nothing, as a full disk or a closed pipe.
+class Refusing : public std::streambuf {};
+
+TEST_F(Tool, OutputThatCannotBeWrittenIsAnError) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    const std::string in = path("box.osem");
+    for (const char* command : {"leaves", "info"}) {
+        Refusing nothing;
+        std::ostream out(&nothing);
+        std::ostringstream err;
+        const char* const argv[] = {"osem", command, in.c_str()};
+        EXPECT_EQ(host::run(3, argv, out, err), 2);
+        EXPECT_EQ(err.str(), "osem: standard output: cannot be written\n");
+    }
+}
+
+TEST_F(Tool, TheExecutableExitsAsTheFunctionDoes) {
+    const auto exit_code = [](const std::string& arguments) {
+        const int status = std::system(("'" OSEM_TOOL_PATH "' " + arguments + " >/dev/null 2>&1").c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    };
+    EXPECT_EQ(exit_code("--help"), 0);
+    EXPECT_EQ(exit_code("melt"), 1);
+    EXPECT_EQ(exit_code("info '" + path("none.osem") + "'"), 2);
+}
+
+} // namespace
+
+} // namespace osem::tool_test

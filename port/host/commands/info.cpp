@@ -1,0 +1,65 @@
+// osem info: what an octree file holds.
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands/command.hpp"
+#include "files/decimal.hpp"
+#include "files/host_pool.hpp"
+#include "files/tree_file.hpp"
+
+namespace osem::host {
+
+namespace {
+
+std::string world_volume(std::uint64_t cells, const WorldCube& cube) {
+    const double part = std::ldexp(static_cast<double>(cells), -3 * lattice_bits);
+    return decimal(part * cube.side * cube.side * cube.side);
+}
+
+std::string hexadecimal(std::uint64_t value) {
+    std::string text(16, '0');
+    for (std::size_t i = 16; i-- > 0; value >>= 4) text[i] = "0123456789abcdef"[value & 15U];
+    return text;
+}
+
+void run_info(const std::string& input, std::ostream& out) {
+    TreeFile file(input);
+    HostPool pool(file.nodes());
+    const Octree tree = file.read(pool.pool());
+    const TreeFacts& facts = file.facts();
+    const Measures m = measure(tree);
+    out << "depth " << int{tree.depth} << '\n'
+        << "leaf_rule " << (facts.leaves == LeafRule::centre ? "centre" : "conservative") << '\n'
+        << "frame " << frame_text(facts.cube) << '\n'
+        << "nodes " << m.nodes << '\n'
+        << "white " << m.white_leaves << '\n'
+        << "black " << m.black_leaves << '\n'
+        << "boundary " << m.boundary_leaves << '\n'
+        << "volume_inner " << m.inner_volume << '\n'
+        << "volume_outer " << m.outer_volume << '\n'
+        << "volume_inner_world " << world_volume(m.inner_volume, facts.cube) << '\n'
+        << "volume_outer_world " << world_volume(m.outer_volume, facts.cube) << '\n'
+        << "digest " << hexadecimal(digest(tree)) << '\n';
+}
+
+constexpr const char* footer =
+    "Prints one \"key value\" line each: depth; leaf_rule; frame X,Y,Z,SIDE; nodes; the leaves white, black\n"
+    "and boundary; volume_inner (black leaves) and volume_outer (black and boundary leaves) in lattice "
+    "cells,\n"
+    "2^60 of which fill the root, and _world in cubed world units; digest of the structure.";
+
+} // namespace
+
+void add_info(CLI::App& app, const Console& console) {
+    CLI::App* command = app.add_subcommand("info", "Print depth, counts, volumes and digest of an octree");
+    const auto input = std::make_shared<std::string>();
+    command->add_option("X", *input, "Octree file")->required()->type_name("");
+    command->footer(footer);
+    command->callback([input, &console] { run_info(*input, console.out); });
+}
+
+} // namespace osem::host

@@ -1,0 +1,56 @@
+// Octrees in files: the kernel's stream, its frame words being the bits of the world cube.
+#ifndef OSEM_HOST_TREE_FILE_HPP
+#define OSEM_HOST_TREE_FILE_HPP
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include "mesh/quantize.hpp"
+#include "osem/convert.hpp"
+#include "osem/octree.hpp"
+
+namespace osem::host {
+
+class OutputFile;
+
+/// What a tree file says beside the tree.
+struct TreeFacts {
+    WorldCube cube;
+    LeafRule leaves;
+};
+
+/// An .osem file open for reading. The constructor reads the header only and refuses a file whose size is
+/// not what its node count asks for, so that nothing is allocated on a damaged file's word. Faults are
+/// thrown as BadInput with the file's name and, for damage, the offset of the byte.
+class TreeFile {
+  public:
+    explicit TreeFile(const std::string& path);
+
+    const std::string& path() const { return path_; }
+    const TreeFacts& facts() const { return facts_; }
+    /// Nodes of the tree; a pool with room for as many can hold it.
+    std::uint32_t nodes() const { return nodes_; }
+
+    /// Reads the tree into `pool`.
+    Octree read(NodePool& pool);
+
+  private:
+    void read_header(std::uint64_t size);
+    [[noreturn]] void damaged(const char* what, std::uint64_t offset) const;
+
+    std::string path_;
+    std::ifstream stream_;
+    TreeFacts facts_ = {};
+    std::uint32_t nodes_ = 0;
+};
+
+/// Writes a tree into an output file (without commit).
+void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts);
+
+/// Whether two cubes are the same bit for bit.
+bool same_cube(const WorldCube& a, const WorldCube& b);
+
+} // namespace osem::host
+
+#endif

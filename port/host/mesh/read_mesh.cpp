@@ -1,0 +1,55 @@
+#include "mesh/read_mesh.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "mesh/bad_input.hpp"
+#include "mesh/readers.hpp"
+#include "mesh/text_scanner.hpp"
+
+namespace osem::host {
+
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::string read_file(const std::string& path) {
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    if (!file) throw BadInput(std::string("cannot be opened: ") + std::strerror(errno));
+    std::string bytes;
+    char buffer[1 << 16];
+    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get()))
+        bytes.append(buffer, got);
+    if (std::ferror(file.get()) != 0) throw BadInput(std::string("cannot be read: ") + std::strerror(errno));
+    return bytes;
+}
+
+using Reader = Mesh (*)(std::string_view);
+
+Reader reader_for(std::string_view path) {
+    const std::size_t dot = path.rfind('.');
+    const std::string_view extension = dot == std::string_view::npos ? "" : path.substr(dot + 1);
+    if (equal_ignoring_case(extension, "off")) return read_off;
+    if (equal_ignoring_case(extension, "stl")) return read_stl;
+    if (equal_ignoring_case(extension, "obj")) return read_obj;
+    if (equal_ignoring_case(extension, "poly")) return read_poly;
+    throw BadInput("unknown kind of mesh file: the extension must be .off, .stl, .obj or .poly");
+}
+
+} // namespace
+
+Mesh read_mesh(const std::string& path) {
+    try {
+        const Reader read = reader_for(path);
+        return read(read_file(path));
+    } catch (const BadInput& fault) {
+        throw BadInput(path + ": " + fault.what());
+    }
+}
+
+} // namespace osem::host

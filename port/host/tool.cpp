@@ -1,0 +1,84 @@
+#include "tool.hpp"
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include "commands/command.hpp"
+#include "mesh/bad_input.hpp"
+
+namespace osem::host {
+
+namespace {
+
+constexpr const char* description =
+    "Osem: boundary-represented solids to octrees and Booleans of octrees, on integers alone.";
+constexpr const char* footer =
+    "Exit codes: 0 done; 1 wrong usage; 2 a file cannot be read, used or written.\n"
+    "On failure one line says why, and no output file is left or replaced.";
+
+// A file name or a library's message may hold line breaks; the report stays one line whatever it quotes.
+void report(std::ostream& err, const char* message) {
+    std::string line = "osem: ";
+    line += message;
+    for (char& c : line) {
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    err << line << std::endl;
+}
+
+bool is_terminal(const std::ostream& err) { return &err == &std::cerr && isatty(STDERR_FILENO) != 0; }
+
+void add_commands(CLI::App& app, const Console& console) {
+    add_check(app, console);
+    add_convert(app, console);
+    add_combinations(app, console);
+    add_complement(app, console);
+    add_info(app, console);
+    add_leaves(app, console);
+    add_image(app, console);
+    add_slice(app, console);
+}
+
+int parse_and_run(int argc, const char* const* argv, const Console& console) {
+    CLI::App app(description, "osem");
+    app.require_subcommand(1);
+    app.footer(footer);
+    app.set_version_flag("--version", OSEM_VERSION);
+    app.get_formatter()->column_width(34);
+    add_commands(app, console);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            app.exit(e, console.out, console.err); // --help, --version
+        } else {
+            report(console.err, e.what());
+            return exit_bad_usage;
+        }
+    }
+    console.out.flush();
+    if (!console.out) throw BadInput("standard output: cannot be written");
+    return exit_ok;
+}
+
+} // namespace
+
+int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+    const Console console{out, err, is_terminal(err)};
+    try {
+        return parse_and_run(argc, argv, console);
+    } catch (const std::bad_alloc&) {
+        report(err, "not enough memory");
+    } catch (const std::exception& e) {
+        report(err, e.what());
+    }
+    return exit_bad_input;
+}
+
+} // namespace osem::host
