@@ -37,10 +37,14 @@ run() {
     shift 2
     stage "$name: build"
     cmake -S "$root" -B "$build/$name" "$@" > /dev/null
-    cmake --build "$build/$name" --parallel "$jobs" -- --quiet
+    cmake --build "$build/$name" --parallel "$jobs" > "$build/$name.log" 2>&1 || {
+        grep -E 'error|Error' -A 5 "$build/$name.log" | head -n 60 >&2
+        exit 1
+    }
     stage "$name: test"
     OSEM_ORACLE_LEVEL=$level ctest --test-dir "$build/$name" --parallel "$jobs" --output-on-failure --no-tests=error \
-        --progress | tail -n 40
+        > "$build/$name.log" || { tail -n 100 "$build/$name.log" >&2; exit 1; }
+    grep -E "mesh table|tests passed" "$build/$name.log"
 }
 run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release
 run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Debug -DOSEM_SANITIZE=ON

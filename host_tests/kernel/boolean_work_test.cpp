@@ -201,28 +201,41 @@ std::set<Place> places(const Octree& tree) {
     return found;
 }
 
-// Octants in which `a` has a node and `b` has a node too or, which decides nothing, a boundary leaf.
-std::set<Place> places_to_visit(const Octree& a, const Octree& b) {
+// Octants in which `a` has a node and `b` has a node too, or a leaf of a colour that leaves work to be done.
+std::set<Place> places_to_visit(const Octree& a, const Octree& b, const std::set<Colour>& undecided) {
     const std::set<Place> in_b = places(b);
     std::set<Place> found;
     for (const Place& place : places(a)) {
         const Point corner = {{std::get<1>(place), std::get<2>(place), std::get<3>(place)}};
         const bool beside_node = in_b.count(place) != 0;
-        if (beside_node || leaf_at(b, corner).leaf.colour == Colour::boundary) found.insert(place);
+        if (beside_node || undecided.count(leaf_at(b, corner).leaf.colour) != 0) found.insert(place);
     }
     return found;
 }
 
-// The bound on the work, for the operators that complement nothing.
+// A bound on the work. Beside one operand's leaf the other's subtree is gone through only if the result is
+// neither the leaf nor the subtree as it is.
 TEST(BooleanWork, OnlyOctantsThatNeitherOperandDecidesAreVisited) {
+    struct Undecided {
+        Operator op;
+        std::set<Colour> beside_a; ///< colours of b's leaves beside a's nodes
+        std::set<Colour> beside_b;
+    };
+    const Undecided all[] = {
+        {Operator::unite, {Colour::boundary}, {Colour::boundary}},
+        {Operator::intersect, {Colour::boundary}, {Colour::boundary}},
+        {Operator::subtract, {Colour::boundary}, {Colour::boundary, Colour::black}},
+        {Operator::exclusive_or, {Colour::black}, {Colour::black}},
+    };
     for (std::uint32_t seed = 0; seed < 30; ++seed) {
         Pair pair(seed, 3, seed % 2 == 0 ? two_colours : three_colours);
-        std::set<Place> visitable = places_to_visit(pair.a, pair.b);
-        visitable.merge(places_to_visit(pair.b, pair.a));
-        for (const Operator op : {Operator::unite, Operator::intersect}) {
+        for (const Undecided& undecided : all) {
+            std::set<Place> visitable = places_to_visit(pair.a, pair.b, undecided.beside_a);
+            visitable.merge(places_to_visit(pair.b, pair.a, undecided.beside_b));
             Combination job;
-            ASSERT_EQ(combine(job, op, pair.a, pair.b, *pair.pool).status, Status::ok);
-            EXPECT_LE(job.nodes_visited(), visitable.size()) << "seed " << seed;
+            ASSERT_EQ(combine(job, undecided.op, pair.a, pair.b, *pair.pool).status, Status::ok);
+            EXPECT_LE(job.nodes_visited(), visitable.size())
+                << "seed " << seed << ", operator " << static_cast<int>(undecided.op);
         }
     }
 }
@@ -244,6 +257,28 @@ TEST(BooleanWork, CountingSaysWhatTheRealRunTakes) {
             EXPECT_EQ(counted.nodes_needed, real.nodes_needed) << "seed " << seed;
             EXPECT_EQ(pair.pool->used() - used, real.nodes_needed) << "seed " << seed;
         }
+    }
+}
+
+// Each cell of a tree that was the first in its pool, turned over: the group at index 0 is changed, too.
+TEST(BooleanWork, CountingIsExactForTheFirstGroupOfAPool) {
+    const DenseGrid grid = random_grid(3, 17, two_colours);
+    HeapPool pool(3000);
+    const Octree tree = planted(grid, *pool);
+    const std::uint32_t used = pool->used();
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+        DenseGrid single(3);
+        single[cell] = Colour::black;
+        const Octree other = planted(single, *pool);
+        for (const Operator op : {Operator::unite, Operator::subtract, Operator::exclusive_or}) {
+            Combination job;
+            ASSERT_EQ(job.begin(op, tree, other, *pool, true), Status::ok);
+            while (job.step(UINT32_MAX)) {
+            }
+            const std::uint32_t counted = job.finish().nodes_needed;
+            ASSERT_EQ(counted, combine(job, op, tree, other, *pool).nodes_needed) << "cell " << cell;
+        }
+        pool->roll_back(used);
     }
 }
 

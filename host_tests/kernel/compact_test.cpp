@@ -20,6 +20,10 @@ struct Forest {
             grids.push_back(random_grid(1 + static_cast<int>(random() % 3), 100 * seed + i, three_colours));
             trees.push_back(planted(grids.back(), *pool));
         }
+        // A tree that is a path: groups of one node, each right below its parent.
+        grids.emplace_back(3);
+        grids.back()[random() % grids.back().size()] = Colour::black;
+        trees.push_back(planted(grids.back(), *pool));
         for (int i = 0; i < 15; ++i) {
             const auto op = static_cast<Operator>(random() % 4);
             const std::size_t a = random() % trees.size();

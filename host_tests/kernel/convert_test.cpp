@@ -108,6 +108,32 @@ TEST(Convert, RandomOctahedra) {
     }
 }
 
+// Slanted faces parallel to an axis, through corners of octants: points on them need the later moves.
+TEST(Convert, Diamonds) {
+    for (std::uint32_t seed = 0; seed < 90; ++seed) {
+        std::mt19937 random(seed);
+        const auto eighths = [&](std::uint32_t low, std::uint32_t high) {
+            const auto n = static_cast<std::int32_t>(low + random() % (high - low + 1));
+            return n * eighth + (seed % 2 == 0 ? 0 : static_cast<std::int32_t>(random() % 3) - 1);
+        };
+        Diamond diamond = {{{eighths(3, 5), eighths(3, 5), eighths(3, 5)}}, eighths(1, 2), 0, 0, 0};
+        diamond.axis = static_cast<int>(seed % 3);
+        diamond.low = eighths(1, 3);
+        diamond.high = eighths(4, 7);
+        const SmallSolid quads = diamond_solid(diamond);
+        const int depth = 1 + static_cast<int>(seed / 3 % 5);
+        const std::string name = "seed " + std::to_string(seed);
+        for (const SmallSolid& solid : {quads, quads.triangulated()}) {
+            expect_tree(
+                solid, {depth}, [&](const Point& p, std::int32_t s) { return diamond_colour(diamond, p, s); },
+                name);
+            expect_tree(
+                solid, {depth, LeafRule::centre},
+                [&](const Point& p, std::int32_t s) { return diamond_centre_colour(diamond, p, s); }, name);
+        }
+    }
+}
+
 TEST(Convert, Tunnels) {
     for (std::uint32_t seed = 0; seed < 30; ++seed) {
         std::mt19937 random(seed);

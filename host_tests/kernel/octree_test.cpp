@@ -218,6 +218,21 @@ TEST(Octree, SameLeavesIsEqualityOfGrids) {
     }
 }
 
+// Two pools in which the same index stands for different nodes.
+TEST(Octree, SameLeavesLooksIntoBothPools) {
+    DenseGrid a(2);
+    DenseGrid b(2);
+    a[0] = Colour::black;
+    b[1] = Colour::black;
+    HeapPool pool(1);
+    HeapPool other(1);
+    const Octree in_pool = planted(a, *pool);
+    const Octree in_other = planted(b, *other);
+    ASSERT_EQ(in_pool.top, in_other.top);
+    EXPECT_FALSE(same_leaves(in_pool, in_other));
+    EXPECT_TRUE(same_leaves(in_pool, in_pool));
+}
+
 // However it was built, a tree of the same leaves has the same nodes, and none below the top is uniform.
 TEST(Octree, TreesAreCanonical) {
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {

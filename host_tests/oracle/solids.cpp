@@ -136,4 +136,10 @@ TestSolid sheared(TestSolid solid, osem::Axis from, osem::Axis to, int p, std::i
     return solid;
 }
 
+std::vector<TestSolid> every(std::size_t step, std::vector<TestSolid> solids) {
+    std::vector<TestSolid> some;
+    for (std::size_t i = step / 2; i < solids.size(); i += step) some.push_back(std::move(solids[i]));
+    return some;
+}
+
 } // namespace oracle

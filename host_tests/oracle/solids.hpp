@@ -71,6 +71,9 @@ std::vector<TestSolid> library(const Grid& grid);
 /// Random solids on a grid: soups of tetrahedra and convex hulls, with coordinates biased to even ones.
 std::vector<TestSolid> random_solids(const Grid& grid, unsigned count, unsigned seed);
 
+/// Every `step`th of some solids.
+std::vector<TestSolid> every(std::size_t step, std::vector<TestSolid> solids);
+
 /// The grids of the tests: one whose planes are planes of octants and which fills the root; one that has
 /// nothing in common with octants; one of unit 1, whose solids are a few leaves of side 1 wide.
 extern const Grid aligned_grid;

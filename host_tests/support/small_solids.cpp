@@ -212,32 +212,93 @@ SmallSolid octahedron_solid(const Octahedron& octahedron) {
     return solid;
 }
 
+namespace {
+
+// A cell's distances from a centre, those along the given axes added up.
+struct Distances {
+    std::int64_t nearest = 0;
+    std::int64_t farthest = 0;
+
+    Distances(const Point& centre, const Point& corner, std::int32_t side, const std::vector<int>& axes) {
+        for (const int axis : axes) {
+            const std::int64_t low = std::int64_t{corner.at[axis]} - centre.at[axis];
+            const std::int64_t high = low + side;
+            nearest += low > 0 ? low : high < 0 ? -high : 0;
+            farthest += std::max(std::abs(low), std::abs(high));
+        }
+    }
+};
+
+// Whether the centre of a cell is nearer than the radius. If it is on the surface it is moved off it by the
+// greatest of its moves that is not along the surface: that along the first axis.
+bool centre_is_near(const Point& centre, std::int32_t radius, const Point& corner, std::int32_t side,
+                    const std::vector<int>& axes) {
+    std::int64_t distance = 0;
+    for (const int axis : axes) {
+        distance += std::abs(std::int64_t{corner.at[axis]} + side / 2 - centre.at[axis]);
+    }
+    if (distance != radius) return distance < radius;
+    return corner.at[axes[0]] + side / 2 < centre.at[axes[0]];
+}
+
+std::vector<int> axes_across(int axis) {
+    if (axis == 0) return {1, 2};
+    return axis == 1 ? std::vector<int>{0, 2} : std::vector<int>{0, 1};
+}
+
+} // namespace
+
 // The cell meets the solid when the cell's nearest point is nearer than the radius (the distance is least at
 // a side of the cell, which is not part of it, unless it is 0), and lies in it when the farthest is not
 // farther.
 Colour octahedron_colour(const Octahedron& octahedron, const Point& corner, std::int32_t side) {
-    std::int64_t nearest = 0;
-    std::int64_t farthest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::int64_t low = std::int64_t{corner.at[axis]} - octahedron.centre.at[axis];
-        const std::int64_t high = low + side;
-        nearest += low > 0 ? low : high < 0 ? -high : 0;
-        farthest += std::max(std::abs(low), std::abs(high));
-    }
-    if (farthest <= octahedron.radius) return Colour::black;
-    return nearest < octahedron.radius ? Colour::boundary : Colour::white;
+    const Distances d(octahedron.centre, corner, side, {0, 1, 2});
+    if (d.farthest <= octahedron.radius) return Colour::black;
+    return d.nearest < octahedron.radius ? Colour::boundary : Colour::white;
 }
 
-// A centre on the surface is moved off it by the greatest of its moves, along x.
 Colour octahedron_centre_colour(const Octahedron& octahedron, const Point& corner, std::int32_t side) {
-    std::int64_t distance = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        distance += std::abs(std::int64_t{corner.at[axis]} + side / 2 - octahedron.centre.at[axis]);
+    const bool inside = centre_is_near(octahedron.centre, octahedron.radius, corner, side, {0, 1, 2});
+    return inside ? Colour::black : Colour::white;
+}
+
+SmallSolid diamond_solid(const Diamond& diamond) {
+    const int u = (diamond.axis + 1) % 3;
+    const int v = (diamond.axis + 2) % 3;
+    const auto corner = [&](unsigned k, std::int32_t along) { // counter-clockwise as seen along the axis
+        Point p = diamond.centre;
+        p.at[diamond.axis] = along;
+        p.at[k % 2 == 0 ? u : v] += k % 4 < 2 ? diamond.radius : -diamond.radius;
+        return p;
+    };
+    SmallSolid solid;
+    Polygon top;
+    Polygon bottom;
+    for (unsigned k = 0; k < 4; ++k) {
+        top.push_back(corner(k, diamond.high));
+        bottom.push_back(corner(3 - k, diamond.low));
+        solid.add_face({{corner(k, diamond.low), corner(k + 1, diamond.low), corner(k + 1, diamond.high),
+                         corner(k, diamond.high)}});
     }
-    if (distance != octahedron.radius) {
-        return distance < octahedron.radius ? Colour::black : Colour::white;
-    }
-    return corner.at[0] + side / 2 < octahedron.centre.at[0] ? Colour::black : Colour::white;
+    solid.add_face({top});
+    solid.add_face({bottom});
+    return solid;
+}
+
+Colour diamond_colour(const Diamond& diamond, const Point& corner, std::int32_t side) {
+    const Distances d(diamond.centre, corner, side, axes_across(diamond.axis));
+    const std::int32_t low = corner.at[diamond.axis];
+    const std::int32_t high = low + side;
+    const bool within = diamond.low <= low && high <= diamond.high;
+    const bool beside = high <= diamond.low || diamond.high <= low;
+    if (d.farthest <= diamond.radius && within) return Colour::black;
+    return d.nearest < diamond.radius && !beside ? Colour::boundary : Colour::white;
+}
+
+Colour diamond_centre_colour(const Diamond& diamond, const Point& corner, std::int32_t side) {
+    const std::int32_t along = corner.at[diamond.axis] + side / 2;
+    const bool near = centre_is_near(diamond.centre, diamond.radius, corner, side, axes_across(diamond.axis));
+    return near && diamond.low <= along && along < diamond.high ? Colour::black : Colour::white;
 }
 
 } // namespace osem::tests

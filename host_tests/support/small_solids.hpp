@@ -86,6 +86,20 @@ SmallSolid octahedron_solid(const Octahedron& octahedron);
 Colour octahedron_colour(const Octahedron& octahedron, const Point& corner, std::int32_t side);
 Colour octahedron_centre_colour(const Octahedron& octahedron, const Point& corner, std::int32_t side);
 
+/// A prism along an axis with a square on its tip as its base: distances along the other two axes added up
+/// are at most `radius`. Its slanted sides are parallel to an axis.
+struct Diamond {
+    Point centre; ///< its coordinate along the axis does not count
+    std::int32_t radius;
+    int axis;
+    std::int32_t low;
+    std::int32_t high;
+};
+
+SmallSolid diamond_solid(const Diamond& diamond);
+Colour diamond_colour(const Diamond& diamond, const Point& corner, std::int32_t side);
+Colour diamond_centre_colour(const Diamond& diamond, const Point& corner, std::int32_t side);
+
 } // namespace osem::tests
 
 #endif

@@ -10,7 +10,7 @@ out=${1:-$root/build/out}
 install_packages cmake make g++ libcli11-dev libstb-dev libtinyobjloader-dev
 echo "building osem in $build"
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_TESTS=OFF > /dev/null
-cmake --build "$build" --parallel "$(nproc)" -- --quiet
+cmake --build "$build" --parallel "$(nproc)"
 
 osem=$build/port/host/osem
 samples=$root/port/host/samples

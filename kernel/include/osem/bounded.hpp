@@ -46,7 +46,8 @@ class Bounded {
 
     /// A narrower range is also in this one.
     template <std::int64_t L, std::int64_t H>
-    constexpr Bounded(Bounded<L, H> other) : value_(static_cast<Rep>(other.value())) {
+    constexpr Bounded(Bounded<L, H> other) // NOLINT(google-explicit-constructor): widening is safe
+        : value_(static_cast<Rep>(other.value())) {
         static_assert(Lo <= L && H <= Hi, "the range does not fit: narrowing needs a proof");
     }
 

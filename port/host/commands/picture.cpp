@@ -80,7 +80,7 @@ std::string view_fault(const std::string& text) {
 }
 
 std::string number_fault(const std::string& text) {
-    double number;
+    double number = 0;
     return parse_decimals(text, &number, 1) ? std::string() : "expected a finite decimal number";
 }
 

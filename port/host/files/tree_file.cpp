@@ -19,13 +19,13 @@ namespace {
 static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8, "frames are binary64 numbers");
 
 std::uint64_t bits_of(double value) {
-    std::uint64_t bits;
+    std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
 double from_bits(std::uint64_t bits) {
-    double value;
+    double value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return value;
 }

@@ -32,8 +32,9 @@ std::string open_edge(const IntegerSolid& solid, const Edge& edge) {
 
 CheckedSolid check_or_throw(const IntegerSolid& solid) {
     const Solid view = solid.view();
-    if (view.face_count == 0)
+    if (view.face_count == 0) {
         throw BadInput("no face is left on the lattice: the solid is smaller than a cell");
+    }
     std::vector<Edge> scratch(check_scratch(view));
     const CheckOutcome outcome = check(view, scratch.data(), static_cast<std::uint32_t>(scratch.size()));
     if (outcome.status == Status::ok) return outcome.solid;

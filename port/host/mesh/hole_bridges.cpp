@@ -44,8 +44,9 @@ class HoleBridger {
 
     void activate(std::uint32_t head) {
         std::uint32_t node = head;
-        do active_.push_back(node);
-        while ((node = next(node)) != head);
+        do {
+            active_.push_back(node);
+        } while ((node = next(node)) != head);
     }
 
     std::int64_t doubled_area(std::uint32_t head) const {
@@ -137,8 +138,9 @@ class HoleBridger {
 
     std::uint32_t corner_open_towards(std::uint32_t corner, const FlatPoint& p) const {
         for (const std::uint32_t node : active_) {
-            if (cycles_.nodes[node].vertex == cycles_.nodes[corner].vertex && opens_towards(node, p))
+            if (cycles_.nodes[node].vertex == cycles_.nodes[corner].vertex && opens_towards(node, p)) {
                 return node;
+            }
         }
         return corner;
     }

@@ -134,8 +134,9 @@ class Orienter {
 
     static bool box_in_box(const Shell& inner, const Shell& outer) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (inner.low.at[axis] < outer.low.at[axis] || inner.high.at[axis] > outer.high.at[axis])
+            if (inner.low.at[axis] < outer.low.at[axis] || inner.high.at[axis] > outer.high.at[axis]) {
                 return false;
+            }
         }
         return true;
     }

@@ -23,8 +23,9 @@ std::string read_file(const std::string& path) {
     if (!file) throw BadInput(std::string("cannot be opened: ") + std::strerror(errno));
     std::string bytes;
     char buffer[1 << 16];
-    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get()))
+    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get())) {
         bytes.append(buffer, got);
+    }
     if (std::ferror(file.get()) != 0) throw BadInput(std::string("cannot be read: ") + std::strerror(errno));
     return bytes;
 }

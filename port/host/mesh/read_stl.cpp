@@ -26,7 +26,7 @@ std::uint32_t little_endian_32(const char* bytes) {
 
 double little_endian_float(const char* bytes) {
     const std::uint32_t bits = little_endian_32(bytes);
-    float value;
+    float value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return static_cast<double>(value);
 }

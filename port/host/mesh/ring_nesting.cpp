@@ -67,8 +67,9 @@ class FacetNester {
 
     void find_containers(std::size_t i) {
         for (std::size_t k = 0; k < rings_.size(); ++k) {
-            if (k != i && lies_inside(rings_[i].polygon, rings_[k].polygon))
+            if (k != i && lies_inside(rings_[i].polygon, rings_[k].polygon)) {
                 rings_[i].containers.push_back(k);
+            }
         }
     }
 

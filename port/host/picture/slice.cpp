@@ -1,6 +1,7 @@
 #include "picture/slice.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace osem::host {
 
@@ -48,8 +49,9 @@ Coverage cover(const Octree& tree, Axis axis, std::int32_t cell, int pixel_bits)
         for (unsigned k = 0; k < 8; ++k) {
             const Octant child = walk.octant().child(k);
             const Colour colour = walk.node().colour(k);
-            if ((colour != Colour::black && colour != Colour::boundary) || !meets(child, axis, cell))
+            if ((colour != Colour::black && colour != Colour::boundary) || !meets(child, axis, cell)) {
                 continue;
+            }
             coverage.add(colour == Colour::black ? coverage.black : coverage.boundary, child.corner.at[u],
                          child.corner.at[v], child.side());
         }
@@ -63,7 +65,7 @@ Rgb mixed(double black, double boundary) {
     const double white = 1 - black - boundary;
     Rgb colour = {};
     for (std::size_t i = 0; i < 3; ++i) {
-        colour[i] = static_cast<std::uint8_t>(255 * white + boundary_colour[i] * boundary + 0.5);
+        colour[i] = static_cast<std::uint8_t>(std::lround(255 * white + boundary_colour[i] * boundary));
     }
     return colour;
 }
