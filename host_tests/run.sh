@@ -47,9 +47,10 @@ run() {
     grep -E "mesh table|tests passed" "$build/$name.log"
 }
 run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release
-run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Debug -DOSEM_SANITIZE=ON
+sanitize=(-DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' -DOSEM_SANITIZE=ON)
+run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ "${sanitize[@]}"
 run clang-release fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release
-run clang-sanitize fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DOSEM_SANITIZE=ON -DOSEM_BUILD_ORACLE=OFF
+run clang-sanitize fast -DCMAKE_CXX_COMPILER=clang++ "${sanitize[@]}" -DOSEM_BUILD_ORACLE=OFF
 run gcc-16-bit fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_NODE_INDEX_BITS=16 \
     -DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_TOOL=OFF
 

@@ -92,21 +92,23 @@ TEST(Boolean, LawsOfKleeneLogic) {
         const auto both = [&](Operator op, const Octree& x, const Octree& y) {
             return combined_tree(op, x, y, pool);
         };
-        const auto not_ = [&](const Octree& x) { return complement_tree(x, pool); };
+        const auto inverse_of = [&](const Octree& x) { return complement_tree(x, pool); };
         for (const Operator op : {Operator::unite, Operator::intersect, Operator::exclusive_or}) {
             EXPECT_EQ(digest(both(op, a, b)), digest(both(op, b, a))) << "seed " << seed;
             EXPECT_EQ(digest(both(op, both(op, a, b), c)), digest(both(op, a, both(op, b, c)))) << seed;
         }
         const Operator unite = Operator::unite;
         const Operator intersect = Operator::intersect;
-        EXPECT_TRUE(same_leaves(not_(both(unite, a, b)), both(intersect, not_(a), not_(b)))) << seed;
-        EXPECT_TRUE(same_leaves(not_(both(intersect, a, b)), both(unite, not_(a), not_(b)))) << seed;
+        EXPECT_TRUE(same_leaves(inverse_of(both(unite, a, b)), both(intersect, inverse_of(a), inverse_of(b))))
+            << seed;
+        EXPECT_TRUE(same_leaves(inverse_of(both(intersect, a, b)), both(unite, inverse_of(a), inverse_of(b))))
+            << seed;
         EXPECT_TRUE(same_leaves(both(unite, a, both(intersect, a, b)), a)) << seed;
         EXPECT_TRUE(same_leaves(both(intersect, a, both(unite, a, b)), a)) << seed;
         EXPECT_TRUE(same_leaves(both(unite, a, a), a)) << seed;
         EXPECT_TRUE(same_leaves(both(intersect, a, a), a)) << seed;
-        EXPECT_TRUE(same_leaves(not_(not_(a)), a)) << seed;
-        EXPECT_TRUE(same_leaves(both(Operator::subtract, a, b), both(intersect, a, not_(b)))) << seed;
+        EXPECT_TRUE(same_leaves(inverse_of(inverse_of(a)), a)) << seed;
+        EXPECT_TRUE(same_leaves(both(Operator::subtract, a, b), both(intersect, a, inverse_of(b)))) << seed;
         EXPECT_TRUE(same_leaves(both(intersect, a, both(unite, b, c)),
                                 both(unite, both(intersect, a, b), both(intersect, a, c))))
             << seed;

@@ -81,8 +81,9 @@ void expect_triangle(const std::array<int, 3>& indices, const Octant& base) {
         const std::array<int, 3> p = lattice_point(i);
         exact.push_back({Fraction{p[0], 1}, Fraction{p[1], 1}, Fraction{p[2], 1}});
         Point placed = base.corner;
-        for (int axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < 3; ++axis) {
             placed.at[axis] += p[static_cast<std::size_t>(axis)] * (base.side() / 2);
+        }
         ring.push_back(placed);
     }
     SmallSolid face;

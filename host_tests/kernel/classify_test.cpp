@@ -204,8 +204,9 @@ class RandomFace {
         const std::int32_t middle = between(outer_.low[0], outer_.high[0]);
         // Up to two holes, side by side, which may touch each other and the outer ring.
         for (const auto& [from, to] : {std::pair{outer_.low[0], middle}, std::pair{middle, outer_.high[0]}}) {
-            if (to > from && random_() % 3 != 0)
+            if (to > from && random_() % 3 != 0) {
                 holes_.push_back(rectangle(from, to, outer_.low[1], outer_.high[1]));
+            }
         }
     }
 

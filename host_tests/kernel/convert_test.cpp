@@ -208,7 +208,7 @@ TEST(Convert, BoxVolumesAtEveryDepth) {
 
 TEST(Convert, AlignedBoxesAreExact) {
     const Box box = {{{eighth, 2 * eighth, 0}}, {{4 * eighth, 5 * eighth, 8 * eighth}}};
-    const std::uint64_t exact = std::uint64_t{3 * 3 * 8} << 51;
+    const std::uint64_t exact = std::uint64_t{3} * 3 * 8 << 51;
     for (int depth = 3; depth <= 8; ++depth) {
         HeapPool pool(pool_size);
         const TreeOutcome outcome = converted(box_solid(box), {depth}, &*pool);
@@ -273,7 +273,8 @@ TEST(Convert, CentreLeavesHoldTheLowSidesOfABox) {
                      {{9 * sixteenth, 7 * sixteenth, 15 * sixteenth}}};
     HeapPool pool(pool_size);
     const TreeOutcome outcome = converted(box_solid(box), {3, LeafRule::centre}, &*pool);
-    const std::uint64_t cells = 3 * 1 * 7; // from 3 to 9, 5 to 7, 1 to 15, in steps of 2, the last left out
+    const std::uint64_t cells =
+        std::uint64_t{3} * 1 * 7; // from 3 to 9, 5 to 7, 1 to 15, in steps of 2, the last left out
     EXPECT_EQ(measure(outcome.tree).inner_volume, cells << 51);
     EXPECT_EQ(measure(outcome.tree).boundary_leaves, 0U);
 }
@@ -281,8 +282,8 @@ TEST(Convert, CentreLeavesHoldTheLowSidesOfABox) {
 TEST(Convert, WindingRules) {
     const Box big = {{{0, eighth, eighth}}, {{7 * eighth, 7 * eighth, 8 * eighth}}};
     const Box small = {{{2 * eighth, 2 * eighth, 3 * eighth}}, {{4 * eighth, 5 * eighth, 6 * eighth}}};
-    const std::uint64_t whole = std::uint64_t{7 * 6 * 7} << 51;
-    const std::uint64_t part = std::uint64_t{2 * 3 * 3} << 51;
+    const std::uint64_t whole = std::uint64_t{7} * 6 * 7 << 51;
+    const std::uint64_t part = std::uint64_t{2} * 3 * 3 << 51;
     const auto turned = [](Box box) {
         box.winding = -1;
         return box;

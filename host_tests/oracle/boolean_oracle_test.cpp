@@ -170,7 +170,7 @@ TEST(BooleanOracle, ConservativeColoursHoldThroughout) {
 }
 
 TEST(BooleanOracle, RealMeshes) {
-    if (mesh_folder().empty()) GTEST_SKIP() << "OSEM_CGAL_DATA names no folder";
+    if (mesh_folder().empty()) FAIL() << "OSEM_CGAL_DATA names no folder";
     const int depth = is_full() ? 6 : 4;
     const auto first = read_off(is_full() ? "elephant" : "eight", whole_root);
     const auto second = read_off("rotor", Fit{{{200003, 150001, 99991}}, 700001});

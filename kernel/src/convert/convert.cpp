@@ -125,7 +125,7 @@ std::int32_t Conversion::winding_of_child(Frame& frame, unsigned child) const {
         const unsigned bit = 1U << axis;
         if ((child & bit) == 0) continue;
         const unsigned next = at | bit;
-        if (((frame.known >> next) & 1U) == 0) {
+        if ((frame.known & (1U << next)) == 0) {
             frame.winding[next] =
                 frame.winding[at] +
                 crossings(octant_.child(at).corner, static_cast<Axis>(axis), octant_.side() / 2, frame.faces);
