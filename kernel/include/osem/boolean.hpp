@@ -19,12 +19,13 @@ enum class Operator : std::uint8_t { unite, intersect, subtract, exclusive_or };
 class Combination {
   public:
     /// Starts `a op b` into the operands' pool, or a counting pass. The result's depth is the greater one.
-    /// Status: ok; pools_differ.
+    /// A combination that was not finished is given up first. Status: ok; pools_differ.
     Status begin(Operator op, const Octree& a, const Octree& b, NodePool& pool, bool count_only = false);
 
     /// Visits up to `nodes` pairs of nodes; false when none is left. Pairs visited in all: at most the
-    /// octants in which both operands have nodes, and those of a complemented operand inside the other's
-    /// black.
+    /// octants in which both operands have nodes, or one has nodes and the other a leaf that neither decides
+    /// alone nor leaves the nodes as they are (a boundary leaf; in subtract and exclusive_or also a black
+    /// one).
     bool step(std::uint32_t nodes);
 
     bool exhausted() const { return builder_.exhausted(); }
@@ -52,17 +53,18 @@ class Combination {
     NodePool* pool_ = nullptr;
     Operator op_ = Operator::unite;
     bool complement_b_ = false;
-    std::uint8_t depth_ = 1;
-    int level_ = -1;
+    std::uint8_t depth_ = 0;
+    int level_ = 0;
     std::uint64_t visited_ = 0;
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;
 };
 
-/// Combines in one call. `job` is the working memory.
+/// Combines in one call: begin, step to the end, finish; status and cost are theirs. `job` is the working
+/// memory.
 TreeOutcome combine(Combination& job, Operator op, const Octree& a, const Octree& b, NodePool& pool);
 
-/// The complement in the root octant: white and black swap, boundary stays.
+/// The complement in the root octant: white and black swap, boundary stays. As combine; its cost is O(nodes).
 TreeOutcome complement(Combination& job, const Octree& a, NodePool& pool);
 
 } // namespace osem

@@ -59,17 +59,27 @@ class Bounded {
     Rep value_;
 };
 
+namespace detail {
+
+// What two operands are computed in: 64 bits if either of them or the result needs them.
+template <class X, class Y, class Result>
+using Wide =
+    std::conditional_t<sizeof(X) == 8 || sizeof(Y) == 8 || sizeof(Result) == 8, std::int64_t, std::int32_t>;
+
+} // namespace detail
+
 template <std::int64_t A, std::int64_t B, std::int64_t C, std::int64_t D>
 constexpr auto operator+(Bounded<A, B> x, Bounded<C, D> y) {
     using Sum = Bounded<A + C, B + D>;
-    using Rep = typename Sum::Rep;
-    return Sum::claim(static_cast<Rep>(static_cast<Rep>(x.value()) + static_cast<Rep>(y.value())));
+    using Wide = detail::Wide<Bounded<A, B>, Bounded<C, D>, Sum>;
+    return Sum::claim(
+        static_cast<typename Sum::Rep>(static_cast<Wide>(x.value()) + static_cast<Wide>(y.value())));
 }
 
 template <std::int64_t A, std::int64_t B, std::int64_t C, std::int64_t D>
 constexpr auto operator-(Bounded<A, B> x, Bounded<C, D> y) {
     using Difference = Bounded<A - D, B - C>;
-    using Wide = std::conditional_t<sizeof(x) == 8 || sizeof(y) == 8, std::int64_t, typename Difference::Rep>;
+    using Wide = detail::Wide<Bounded<A, B>, Bounded<C, D>, Difference>;
     return Difference::claim(
         static_cast<typename Difference::Rep>(static_cast<Wide>(x.value()) - static_cast<Wide>(y.value())));
 }
@@ -77,8 +87,9 @@ constexpr auto operator-(Bounded<A, B> x, Bounded<C, D> y) {
 template <std::int64_t A, std::int64_t B, std::int64_t C, std::int64_t D>
 constexpr auto operator*(Bounded<A, B> x, Bounded<C, D> y) {
     using Product = Bounded<detail::product_lo(A, B, C, D), detail::product_hi(A, B, C, D)>;
-    using Rep = typename Product::Rep;
-    return Product::claim(static_cast<Rep>(static_cast<Rep>(x.value()) * static_cast<Rep>(y.value())));
+    using Wide = detail::Wide<Bounded<A, B>, Bounded<C, D>, Product>;
+    return Product::claim(
+        static_cast<typename Product::Rep>(static_cast<Wide>(x.value()) * static_cast<Wide>(y.value())));
 }
 
 } // namespace osem

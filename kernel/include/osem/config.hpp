@@ -2,8 +2,8 @@
 #ifndef OSEM_CONFIG_HPP
 #define OSEM_CONFIG_HPP
 
-// Width of a child index in bits: 32 (nodes of 6 bytes, up to 2^32 - 2 of them in a pool) or
-// 16 (nodes of 4 bytes, up to 65,534 of them in a pool).
+// Width of a child index in bits: 32 (nodes of 6 bytes, up to 2^32 - 1 of them in a pool) or
+// 16 (nodes of 4 bytes, up to 65,535 of them in a pool).
 #ifndef OSEM_NODE_INDEX_BITS
 #define OSEM_NODE_INDEX_BITS 32
 #endif

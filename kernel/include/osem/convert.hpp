@@ -41,12 +41,14 @@ class Conversion {
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass, which says how many nodes the
     /// tree needs and writes nothing.
     /// Scratch: convert_scratch(solid.view()) indices, in use until finish.
-    /// Status: ok; depth_out_of_range; scratch_too_small. When not ok, nothing has begun.
+    /// A conversion that was not finished is given up first. Status: ok; depth_out_of_range;
+    /// scratch_too_small. When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                  std::uint32_t scratch_size, NodePool* pool);
 
     /// Visits up to `octants` octants; false when none is left. Cost of one visit: a classification and up to
-    /// two crossing tests of each face in the parent's list.
+    /// three crossing tests of each face in the parent's list; with centre leaves also three crossing tests
+    /// of each face in the leaf's own list. The root's parent list is all faces.
     bool step(std::uint32_t octants);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.
@@ -84,18 +86,19 @@ class Conversion {
     Colour colour_of(std::int32_t winding) const;
 
     CheckedSolid solid_ = CheckedSolid::vouched(Solid{});
-    ConvertOptions options_;
+    ConvertOptions options_ = {0, LeafRule::conservative, WindingRule::nonzero};
     std::uint32_t* list_ = nullptr;
     StageCounts stages_ = {};
     std::uint64_t visited_ = 0;
     Octant octant_ = root_octant; ///< that of the frame on top
-    int level_ = -1;              ///< of the frame on top
+    int level_ = 0;               ///< of the frame on top
     bool started_ = false;
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;
 };
 
-/// Converts in one call: begin, step to the end, finish. `job` is the working memory.
+/// Converts in one call: begin, step to the end, finish; status and cost are theirs. `job` is the working
+/// memory.
 TreeOutcome convert(Conversion& job, const CheckedSolid& solid, const ConvertOptions& options,
                     std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool);
 

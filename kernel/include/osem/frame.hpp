@@ -15,7 +15,8 @@ namespace osem {
 ///
 ///     lattice = (world - origin) * 2^shift
 ///
-/// The root covers world coordinates from origin to origin + 2^(20 - shift) raw units along each axis.
+/// The root covers world coordinates from origin to origin + 2^(20 - shift) raw units along each axis; where
+/// rounding is needed, a point up to half a lattice unit outside still maps onto its border.
 struct Frame {
     std::int32_t origin[3]; ///< world coordinates (raw units) of the root octant's minimum corner
     std::int8_t shift;      ///< power of two, in [-31, 20]; at 0 and above the mapping is exact

@@ -25,10 +25,13 @@ enum class Colour : std::uint8_t { white = 0, boundary = 1, grey = 2, black = 3 
 /// that it is solid throughout; a bit in `must` alone marks a grey child, whose node stands in the pool. The
 /// grey children of a node stand together in ascending order of k; `first` is the index of the first.
 /// Nodes are 6 bytes (4 with 16-bit indices) and need an alignment of 2.
-class Node {
-  public:
+struct Node {
     std::uint8_t may;
     std::uint8_t must;
+    std::uint16_t first_low; ///< the index, split so that a node needs no padding
+#if OSEM_NODE_INDEX_BITS == 32
+    std::uint16_t first_high;
+#endif
 
     static constexpr Node of(std::uint8_t may, std::uint8_t must, NodeIndex first) {
 #if OSEM_NODE_INDEX_BITS == 32
@@ -69,11 +72,6 @@ class Node {
         return a.may == b.may && a.must == b.must && a.first() == b.first();
     }
     friend constexpr bool operator!=(const Node& a, const Node& b) { return !(a == b); }
-
-    std::uint16_t first_low;
-#if OSEM_NODE_INDEX_BITS == 32
-    std::uint16_t first_high; ///< split, so that a node needs no padding
-#endif
 };
 
 static_assert(sizeof(Node) == (OSEM_NODE_INDEX_BITS == 32 ? 6 : 4), "nodes are packed");
@@ -132,16 +130,17 @@ class NodePool {
     std::uint32_t refused_ = 0;
 };
 
-/// A pool with its memory in itself, for static storage.
+/// A pool with its memory in itself. Its constructor runs at start-up (it is not constexpr on purpose): so a
+/// static pool is zero-initialised memory, and its nodes take no place in the flash image.
 template <std::uint32_t Capacity>
 class StaticNodePool : public NodePool {
     static_assert(Capacity > 0 && Capacity <= NodePool::max_capacity, "capacity outside the index range");
 
   public:
-    constexpr StaticNodePool() : NodePool(storage_, Capacity) {}
+    StaticNodePool() : NodePool(storage_, Capacity) {}
 
   private:
-    Node storage_[Capacity] = {};
+    Node storage_[Capacity];
 };
 
 } // namespace osem

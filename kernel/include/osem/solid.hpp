@@ -28,7 +28,7 @@ struct Solid {
     std::uint32_t vertex_count;
     const std::uint32_t* corners;
     std::uint32_t corner_count;
-    const std::uint32_t* ring_starts; ///< ring count + 1 entries, or null
+    const std::uint32_t* ring_starts; ///< face_rings[face_count] + 1 entries, or null
     const std::uint32_t* face_rings;  ///< face_count + 1 entries, or null
     std::uint32_t face_count;
 
@@ -95,8 +95,10 @@ struct CheckOutcome {
 /// accepted; a zero-area face stands for the points of its ring.
 ///
 /// Scratch: check_scratch(solid) edges; overwritten. Cost: O(c log c) for c corners, no recursion.
-/// Status, in the order looked for: ring_table_invalid, ring_too_short, index_out_of_range,
-/// coordinate_off_lattice, face_not_planar, scratch_too_small, surface_not_closed; ok otherwise.
+/// The arrays must have the lengths that Solid states; what they hold is not trusted.
+/// Status, in the order looked for: ring_table_invalid; ring_too_short and index_out_of_range, face by face;
+/// coordinate_off_lattice, face_not_planar, scratch_too_small, surface_not_closed; ok otherwise. A table that
+/// is invalid as a whole (null, or of the wrong length for a triangle mesh) is reported at face 0.
 CheckOutcome check(const Solid& solid, Edge* scratch, std::uint32_t scratch_size);
 
 } // namespace osem

@@ -14,9 +14,10 @@ enum class Status : std::uint8_t {
     shift_out_of_range,  ///< a frame's shift is outside [-31, 20]
 
     // Solid.
-    scratch_too_small,      ///< the caller's scratch is shorter than the stated equation
-    ring_table_invalid,     ///< a ring or face table descends, or runs past what it indexes
-    index_out_of_range,     ///< a corner names a vertex that does not exist
+    scratch_too_small,  ///< the caller's scratch is shorter than the stated equation
+    ring_table_invalid, ///< a table descends or runs past what it indexes, a face has no ring, or only one
+                        ///< of the two tables is there, or a triangle mesh's corners are not 3 a face
+    index_out_of_range, ///< a corner names a vertex that does not exist
     coordinate_off_lattice, ///< a vertex coordinate is below 0 or above 2^20
     ring_too_short,         ///< a ring has fewer than three corners
     face_not_planar,        ///< a corner lies off the plane of its face
@@ -32,11 +33,12 @@ enum class Status : std::uint8_t {
     // Stream.
     stream_truncated,       ///< the stream ends before its node count is reached
     stream_not_osem,        ///< the first bytes are not an Osem header of a known version
-    stream_header_damaged,  ///< the header's checksum does not match
+    stream_header_damaged,  ///< the header's checksum does not match, or a field has a value no writer gives
+                            ///< it
     stream_payload_damaged, ///< the payload's checksum does not match
     stream_too_deep,        ///< a grey octant stands at the stated depth
     stream_not_canonical,   ///< a node below the top has eight equal leaf children
-    stream_count_mismatch,  ///< the payload holds more or fewer nodes than the header says
+    stream_count_mismatch,  ///< the payload holds more or fewer nodes than the header says, or that is 0
     stream_trailing_bytes,  ///< bytes follow the end of the stream
     sink_refused,           ///< the caller's sink did not take a write
 };

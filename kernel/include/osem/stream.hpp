@@ -49,8 +49,9 @@ struct Sink {
     void* context;
 };
 
-/// Writes a tree; depth and node count of `header` are filled in from it. Status: ok; sink_refused, after
-/// which nothing more is written. Cost: O(nodes of the tree), O(depth) memory.
+/// Writes a tree of up to 2^32 - 1 nodes (shared ones counted as often as they are reached); depth and node
+/// count of `header` are filled in from it. Precondition: header.leaf_rule is 0 or 1. Status: ok;
+/// sink_refused, after which nothing more is written. Cost: O(nodes of the tree), O(depth) memory.
 Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 
 /// Outcome of reading a stream. `offset` is that of the byte at which a fault was seen.
@@ -63,7 +64,8 @@ struct StreamOutcome {
 /// accepts exactly what write_stream writes; on any fault the pool is as it was at begin.
 class StreamReader {
   public:
-    /// Starts reading into `pool`; null: only validates and counts.
+    /// Starts reading into `pool`; null: only validates and counts. Reading that was not finished is given up
+    /// first, so its pool must still be there.
     void begin(NodePool* pool);
 
     /// Takes the next bytes. Status: ok so far, or the first fault, which then stays.
@@ -93,7 +95,7 @@ class StreamReader {
     std::uint32_t crc_ = 0;
     std::uint32_t crc_read_ = 0;
     Status status_ = Status::ok;
-    int level_ = -1;       ///< of the last node read
+    int level_ = 0;        ///< of the last node read
     std::uint8_t may_ = 0; ///< the first byte of a node
     std::uint8_t trailer_left_ = 0;
     std::uint8_t left_[max_depth] = {}; ///< grey children not yet read, a level

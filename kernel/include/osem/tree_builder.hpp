@@ -25,7 +25,8 @@ struct TreeOutcome {
 /// is known exactly in the end. Without a pool nothing is ever written: a counting pass.
 class TreeBuilder {
   public:
-    /// Starts a tree with the root octant open, its children white. A counting pass may still be given the
+    /// Starts a tree with the root octant open, its children white. A build that was not finished is given up
+    /// first, so its pool must still be there. A counting pass may still be given the
     /// pool whose subtrees are grafted; `pool` may be null in a counting pass without grafts.
     void begin(NodePool* pool, bool count_only = false);
 
@@ -36,10 +37,11 @@ class TreeBuilder {
     /// Makes child `child` of the open octant a leaf. Precondition: colour is not grey.
     void leaf(unsigned child, Colour colour);
 
-    /// Sets all eight children of the open octant as leaves by two masks.
+    /// Sets all eight children of the open octant as leaves by two masks. Precondition: no child is grey.
     void leaves(std::uint8_t may, std::uint8_t must);
 
-    /// Makes child `child` of the open octant an existing subtree of the same pool, shared.
+    /// Makes child `child` of the open octant an existing subtree of the same pool, shared. Preconditions:
+    /// the node is not uniform, and no octant of the subtree comes to lie deeper than max_depth.
     void graft(unsigned child, const Node& node);
 
     /// Closes the open octant: eight equal leaves become one leaf, and a group of grey children that equals
@@ -47,12 +49,15 @@ class TreeBuilder {
     void close(const Node* like = nullptr, const Node* or_like = nullptr);
 
     /// Whether the root octant has been closed.
-    bool finished() const { return level_ < 0; }
+    bool finished() const { return closed_; }
+    /// Whether octants are open.
+    bool building() const { return building_; }
     /// Whether the pool has run out (it has been rolled back; building may go on to count).
     bool exhausted() const { return exhausted_; }
 
     /// The tree, or what kept it from being. Status: ok; pool_exhausted; unfinished when the root octant is
-    /// still open, in which case the pool is rolled back.
+    /// still open or nothing was begun, in which case the pool is as it was. Precondition: depth is in [1,
+    /// 20], and no leaf is deeper.
     TreeOutcome finish(int depth);
 
     /// Gives the pool's nodes back, as if the build had never begun. After finish it does nothing.
@@ -71,10 +76,12 @@ class TreeBuilder {
     NodePool* pool_ = nullptr;
     std::uint32_t mark_ = 0;
     std::uint32_t needed_ = 0;
-    int level_ = -1;
+    int level_ = 0;
+    bool building_ = false;
+    bool closed_ = false;
     bool writing_ = false;
     bool exhausted_ = false;
-    Node top_ = Node::uniform(Colour::white);
+    Node top_ = {};
     Level levels_[max_depth] = {};
 };
 

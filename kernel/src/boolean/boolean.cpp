@@ -32,9 +32,9 @@ Settlement settle_by(const Node& a, const Node& b, int may, int must, int domina
     return s;
 }
 
-// Kleene's three-valued connectives on (may, must). A grey child has the bits (0, 1): black dominates it in
-// a union and white in an intersection by the connective itself; in an exclusive or the boundary, which
-// dominates whatever it meets, is put in by hand.
+// Kleene's three-valued connectives on (may, must). A grey child has the bits (0, 1), with which the
+// connectives come out right beside a leaf that dominates: black in a union, white in an intersection,
+// boundary in an exclusive or.
 Settlement settle(Operator op, const Node& a, const Node& b) {
     if (op == Operator::unite) {
         const int dominated = blacks(a) | blacks(b);
@@ -44,7 +44,7 @@ Settlement settle(Operator op, const Node& a, const Node& b) {
         const int dominated = boundaries(a) | boundaries(b);
         const int must = (a.must & ~b.may) | (~a.may & b.must);
         const int may = ~((a.must & b.must) | (~a.may & ~b.may));
-        return settle_by(a, b, may | dominated, must & ~dominated, dominated, whites(a), whites(b));
+        return settle_by(a, b, may, must, dominated, whites(a), whites(b));
     }
     const int dominated = whites(a) | whites(b);
     return settle_by(a, b, a.may & b.may, a.must & b.must, dominated, blacks(a), blacks(b));
@@ -56,6 +56,7 @@ Node complemented(const Node& node) { return Node::of(mask(~node.must), mask(~no
 } // namespace
 
 Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePool& pool, bool count_only) {
+    builder_.abandon();
     if (a.pool != &pool || b.pool != &pool) return Status::pools_differ;
     pool_ = &pool;
     op_ = op;
@@ -69,7 +70,7 @@ Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePoo
 }
 
 bool Combination::step(std::uint32_t nodes) {
-    while (!builder_.finished()) {
+    while (builder_.building()) {
         Frame& frame = frames_[level_];
         if (frame.left == 0) {
             builder_.close(&frame.a, complement_b_ ? nullptr : &frame.b);

@@ -6,6 +6,7 @@ namespace osem {
 
 Status Conversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                          std::uint32_t scratch_size, NodePool* pool) {
+    builder_.abandon();
     const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
     if (options.depth < 1 || options.depth > greatest_depth) return Status::depth_out_of_range;
     if (scratch_size < convert_scratch(solid.view())) return Status::scratch_too_small;
@@ -23,11 +24,11 @@ Status Conversion::begin(const CheckedSolid& solid, const ConvertOptions& option
 }
 
 bool Conversion::step(std::uint32_t octants) {
-    for (; octants > 0 && !builder_.finished(); --octants) {
+    for (; octants > 0 && builder_.building(); --octants) {
         started_ ? visit_child() : visit_root();
         ++visited_;
     }
-    return !builder_.finished();
+    return builder_.building();
 }
 
 TreeOutcome Conversion::finish() { return builder_.finish(options_.depth); }

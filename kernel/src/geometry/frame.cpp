@@ -17,12 +17,14 @@ std::int64_t scale(std::int64_t difference, int shift) {
 }
 
 bool map_point(const Frame& frame, const WorldPoint& world, Point& lattice) {
+    Point mapped = {};
     for (int axis = 0; axis < 3; ++axis) {
         const std::int64_t difference = std::int64_t{world.at[axis]} - frame.origin[axis];
         const std::int64_t coordinate = scale(difference, frame.shift);
         if (coordinate < 0 || coordinate > root_side) return false;
-        lattice.at[axis] = static_cast<std::int32_t>(coordinate);
+        mapped.at[axis] = static_cast<std::int32_t>(coordinate);
     }
+    lattice = mapped;
     return true;
 }
 

@@ -16,7 +16,7 @@ struct Projection {
 };
 
 /// Which side of the projected line a -> b the point q lies on: positive to the left (u to the right, v up).
-/// Antisymmetric in a and b. Below 2^42 in magnitude.
+/// Antisymmetric in a and b. At most 2^41 + 2^21 in magnitude, as its type says.
 inline auto orientation(const Point& a, const Point& b, const Point& q, const Projection& p) {
     return difference(b, a, p.u) * (QueryCoordinate::claim(q.at[p.v]) - VertexCoordinate::claim(a.at[p.v])) -
            difference(b, a, p.v) * (QueryCoordinate::claim(q.at[p.u]) - VertexCoordinate::claim(a.at[p.u]));

@@ -24,28 +24,37 @@ CheckOutcome refusal(const Solid& solid, Status status, std::uint32_t face, std:
     return outcome;
 }
 
-bool ring_in_table(const Solid& solid, std::uint32_t ring) {
-    if (solid.is_triangle_mesh()) return true;
-    return solid.ring_starts[ring] <= solid.ring_starts[ring + 1] &&
-           solid.ring_starts[ring + 1] <= solid.corner_count;
-}
-
-// Tables, ring lengths and indices, face by face; after it every access through the view is in range.
-CheckOutcome check_structure(const Solid& solid) {
-    if (solid.is_triangle_mesh() && std::uint64_t{3} * solid.face_count != solid.corner_count) {
-        return refusal(Status::ring_table_invalid);
+// The tables, from the outside in, so that nothing is read through an entry not yet checked.
+CheckOutcome check_tables(const Solid& solid) {
+    if (solid.is_triangle_mesh()) {
+        const bool fits =
+            std::uint64_t{3} * solid.face_count == solid.corner_count && solid.ring_starts == nullptr;
+        return refusal(fits ? Status::ok : Status::ring_table_invalid);
     }
-    if (!solid.is_triangle_mesh() && solid.ring_starts == nullptr) return refusal(Status::ring_table_invalid);
+    if (solid.ring_starts == nullptr) return refusal(Status::ring_table_invalid);
     for (std::uint32_t face = 0; face < solid.face_count; ++face) {
         if (solid.end_ring(face) <= solid.first_ring(face)) {
             return refusal(Status::ring_table_invalid, face, solid.first_ring(face));
         }
+    }
+    for (std::uint32_t face = 0; face < solid.face_count; ++face) {
         for (std::uint32_t ring = solid.first_ring(face); ring < solid.end_ring(face); ++ring) {
-            if (!ring_in_table(solid, ring)) return refusal(Status::ring_table_invalid, face, ring);
-            const std::uint32_t first = solid.first_corner(ring);
-            const std::uint32_t count = solid.ring(ring).count;
-            if (count < 3) return refusal(Status::ring_too_short, face, ring);
-            for (std::uint32_t corner = first; corner < first + count; ++corner) {
+            const std::uint32_t end = solid.first_corner(ring + 1);
+            if (solid.first_corner(ring) > end || end > solid.corner_count) {
+                return refusal(Status::ring_table_invalid, face, ring);
+            }
+        }
+    }
+    return refusal(Status::ok);
+}
+
+// Ring lengths and vertex indices, face by face. After it every access through the view is in range.
+CheckOutcome check_rings(const Solid& solid) {
+    for (std::uint32_t face = 0; face < solid.face_count; ++face) {
+        for (std::uint32_t ring = solid.first_ring(face); ring < solid.end_ring(face); ++ring) {
+            if (solid.ring(ring).count < 3) return refusal(Status::ring_too_short, face, ring);
+            for (std::uint32_t corner = solid.first_corner(ring); corner < solid.first_corner(ring + 1);
+                 ++corner) {
                 if (solid.corners[corner] >= solid.vertex_count) {
                     return refusal(solid, Status::index_out_of_range, face, ring, corner);
                 }
@@ -134,7 +143,8 @@ CheckOutcome check_cycle(const Solid& solid, Edge* edges) {
 } // namespace
 
 CheckOutcome check(const Solid& solid, Edge* scratch, std::uint32_t scratch_size) {
-    CheckOutcome outcome = check_structure(solid);
+    CheckOutcome outcome = check_tables(solid);
+    if (outcome.status == Status::ok) outcome = check_rings(solid);
     if (outcome.status == Status::ok) outcome = check_coordinates(solid);
     if (outcome.status == Status::ok) outcome = check_planarity(solid);
     if (outcome.status == Status::ok && scratch_size < check_scratch(solid)) {

@@ -29,6 +29,7 @@ Integer get(const std::uint8_t* bytes) {
 }
 
 void encode(const StreamHeader& header, std::uint8_t* bytes) {
+    OSEM_ASSERT(header.leaf_rule <= 1);
     for (std::size_t i = 0; i < sizeof magic; ++i) bytes[i] = magic[i];
     bytes[depth_at] = header.depth;
     bytes[leaf_rule_at] = header.leaf_rule;
@@ -148,20 +149,20 @@ void StreamReader::take_header() {
         position_ = header_crc_at;
         return fail(Status::stream_header_damaged);
     }
-    header_.depth = bytes_[depth_at];
-    header_.leaf_rule = bytes_[leaf_rule_at];
-    for (std::size_t i = 0; i < 4; ++i) header_.frame[i] = get<std::uint64_t>(bytes_ + frame_at + 8 * i);
-    nodes_left_ = get<std::uint32_t>(bytes_ + nodes_at);
-    header_.nodes = nodes_left_;
-    if (header_.depth < 1 || header_.depth > max_depth) {
+    StreamHeader header = {bytes_[depth_at], bytes_[leaf_rule_at], {}, get<std::uint32_t>(bytes_ + nodes_at)};
+    for (std::size_t i = 0; i < 4; ++i) header.frame[i] = get<std::uint64_t>(bytes_ + frame_at + 8 * i);
+    if (header.depth < 1 || header.depth > max_depth) {
         position_ = depth_at;
         fail(Status::depth_out_of_range);
-    } else if (header_.leaf_rule > 1 || bytes_[zero_at] != 0) {
-        position_ = header_.leaf_rule > 1 ? leaf_rule_at : zero_at;
+    } else if (header.leaf_rule > 1 || bytes_[zero_at] != 0) {
+        position_ = header.leaf_rule > 1 ? leaf_rule_at : zero_at;
         fail(Status::stream_header_damaged);
-    } else if (nodes_left_ == 0) {
+    } else if (header.nodes == 0) {
         position_ = nodes_at;
         fail(Status::stream_count_mismatch);
+    } else {
+        header_ = header;
+        nodes_left_ = header.nodes;
     }
 }
 

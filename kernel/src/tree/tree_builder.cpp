@@ -12,10 +12,13 @@ constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 } // namespace
 
 void TreeBuilder::begin(NodePool* pool, bool count_only) {
+    abandon();
     pool_ = pool;
     mark_ = pool != nullptr ? pool->used() : 0;
     needed_ = 0;
     level_ = 0;
+    building_ = true;
+    closed_ = false;
     writing_ = pool != nullptr && !count_only;
     exhausted_ = false;
     top_ = Node::uniform(Colour::white);
@@ -24,7 +27,7 @@ void TreeBuilder::begin(NodePool* pool, bool count_only) {
 }
 
 void TreeBuilder::open(unsigned child) {
-    OSEM_ASSERT(level_ >= 0 && level_ + 1 < max_depth && child < 8);
+    OSEM_ASSERT(building_ && level_ + 1 < max_depth && child < 8);
     Level& level = levels_[++level_];
     level.may = 0;
     level.must = 0;
@@ -86,10 +89,14 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
         }
     }
     const Node node = Node::of(level.may, level.must, first);
-    --level_;
-    if (level_ < 0) {
+    if (level_ == 0) {
         top_ = node;
-    } else if (node.is_uniform()) {
+        building_ = false;
+        closed_ = true;
+        return;
+    }
+    --level_;
+    if (node.is_uniform()) {
         leaf(level.child, node.colour(0));
     } else {
         graft(level.child, node);
@@ -97,23 +104,23 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
 }
 
 TreeOutcome TreeBuilder::finish(int depth) {
-    TreeOutcome outcome = {Status::ok, needed_, 0, Octree{pool_, top_, static_cast<std::uint8_t>(depth)}};
-    if (exhausted_) {
-        outcome.status = Status::pool_exhausted;
-        if (finished()) outcome.nodes_missing = needed_ - (pool_->capacity() - mark_);
-    } else if (!finished()) {
-        outcome.status = Status::unfinished;
-    } else {
-        writing_ = false; // the nodes are the tree's now
+    TreeOutcome outcome = {exhausted_ ? Status::pool_exhausted : Status::ok, needed_, 0,
+                           Octree{pool_, top_, static_cast<std::uint8_t>(depth)}};
+    if (!closed_) {
+        if (!exhausted_) outcome.status = Status::unfinished;
+        abandon();
+    } else if (exhausted_) {
+        outcome.nodes_missing = needed_ - (pool_->capacity() - mark_);
     }
-    abandon();
+    writing_ = false; // the nodes are the tree's now
     return outcome;
 }
 
 void TreeBuilder::abandon() {
     if (writing_) pool_->roll_back(mark_);
     writing_ = false;
-    level_ = -1;
+    building_ = false;
+    closed_ = false;
 }
 
 } // namespace osem
