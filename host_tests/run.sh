@@ -44,13 +44,15 @@ run() {
     stage "$name: test"
     OSEM_ORACLE_LEVEL=$level ctest --test-dir "$build/$name" --parallel "$jobs" --output-on-failure --no-tests=error \
         > "$build/$name.log" || { tail -n 100 "$build/$name.log" >&2; exit 1; }
-    grep -E "mesh table|tests passed" "$build/$name.log"
+    grep "tests passed" "$build/$name.log"
 }
-run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release
+# The oracle is the long part to build: one run for each compiler, the whole of it optimised by GCC and the
+# fast part under Clang's sanitizers.
 sanitize=(-DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' -DOSEM_SANITIZE=ON)
-run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ "${sanitize[@]}"
-run clang-release fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release
-run clang-sanitize fast -DCMAKE_CXX_COMPILER=clang++ "${sanitize[@]}" -DOSEM_BUILD_ORACLE=OFF
+run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release
+run clang-sanitize fast -DCMAKE_CXX_COMPILER=clang++ "${sanitize[@]}"
+run clang-release fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_ORACLE=OFF
+run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ "${sanitize[@]}" -DOSEM_BUILD_ORACLE=OFF
 run gcc-16-bit fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_NODE_INDEX_BITS=16 \
     -DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_TOOL=OFF
 
