@@ -48,13 +48,28 @@ TEST_F(Combine, ComplementTwiceIsTheOperand) {
     EXPECT_NE(read_file(path("a.osem")), read_file(path("b.osem")));
 }
 
-TEST_F(Combine, OneCentreOperandMakesACentreResult) {
+TEST_F(Combine, TheResultKeepsTheLeafRule) {
+    const std::vector<std::string> centre = {"--depth", "3", "--leaves", "centre"};
     make_box("a", {0, 0, 0}, {0.5, 1, 1});
-    make_box("b", {0.25, 0, 0}, {1, 1, 1}, {"--depth", "3", "--leaves", "centre"});
+    make_box("b", {0.25, 0, 0}, {1, 1, 1});
+    EXPECT_EQ(volume({"union", path("a.osem"), path("b.osem")}), "1");
+    EXPECT_EQ(info("result")["leaf_rule"], "conservative");
+    make_box("a", {0, 0, 0}, {0.5, 1, 1}, centre);
+    make_box("b", {0.25, 0, 0}, {1, 1, 1}, centre);
     EXPECT_EQ(volume({"union", path("a.osem"), path("b.osem")}), "1");
     EXPECT_EQ(info("result")["leaf_rule"], "centre");
-    EXPECT_EQ(volume({"union", path("a.osem"), path("a.osem")}), "0.5");
-    EXPECT_EQ(info("result")["leaf_rule"], "conservative");
+}
+
+TEST_F(Combine, DifferentLeafRulesAreRefusedNamingBoth) {
+    make_box("a", {0, 0, 0}, {0.5, 1, 1});
+    make_box("b", {0.25, 0, 0}, {1, 1, 1}, {"--depth", "3", "--leaves", "centre"});
+    const auto before = files();
+    for (const char* command : {"union", "intersection", "difference", "xor"}) {
+        const Ran ran = osem({command, path("a.osem"), path("b.osem"), "-o", path("out.osem")});
+        EXPECT_TRUE(failed(ran, 2, path("a.osem") + " has conservative leaves"));
+        EXPECT_TRUE(failed(ran, 2, path("b.osem") + " has centre leaves"));
+    }
+    EXPECT_EQ(files(), before);
 }
 
 TEST_F(Combine, DifferentFramesAreRefusedNamingBoth) {
@@ -67,7 +82,9 @@ TEST_F(Combine, DifferentFramesAreRefusedNamingBoth) {
     for (const char* command : {"union", "intersection", "difference", "xor"}) {
         const Ran ran = osem({command, path("a.osem"), path("b.osem"), "-o", path("out.osem")});
         EXPECT_TRUE(failed(ran, 2, path("a.osem") + " covers 0,0,0,1,"));
-        EXPECT_TRUE(failed(ran, 2, path("b.osem") + " covers 0,-0.1,0,1.0000000000000002"));
+        EXPECT_TRUE(failed(ran, 2,
+                           path("b.osem") +
+                               " covers 0,-0.1,0,1.0000000000000002; convert both with the same --frame"));
     }
     EXPECT_EQ(files(), before);
     EXPECT_TRUE(succeeded(osem({"union", path("a.osem"), path("c.osem"), "-o", path("out.osem")})));

@@ -129,6 +129,40 @@ TEST_F(Tool, WindingRulesDiffer) {
     EXPECT_EQ(volume("odd"), "0.5");
 }
 
+TEST_F(Tool, CrossingShellsOfAPolyAreOddUnlessSaidOtherwise) {
+    std::string poly = "16 3 0 0\n";
+    for (unsigned k = 0; k < 16; ++k) {
+        const unsigned low = k < 8 ? 0 : 2;
+        poly += std::to_string(k);
+        for (const unsigned bit : {1U, 2U, 4U}) poly += ' ' + std::to_string((k & bit) != 0 ? low + 4 : low);
+        poly += '\n';
+    }
+    poly += "12 0\n";
+    for (const unsigned base : {0U, 8U}) {
+        for (const auto& face : {std::vector<unsigned>{0, 2, 3, 1},
+                                 {4, 5, 7, 6},
+                                 {0, 1, 5, 4},
+                                 {2, 6, 7, 3},
+                                 {0, 4, 6, 2},
+                                 {1, 3, 7, 5}}) {
+            poly += "1 0\n4";
+            for (const unsigned corner : face) poly += ' ' + std::to_string(base + corner);
+            poly += '\n';
+        }
+    }
+    write_file(path("two.poly"), poly + "0\n");
+    const auto volume = [&](const std::vector<std::string>& rule) {
+        std::vector<std::string> line = {"convert", path("two.poly"), "-o",      path("two.osem"),
+                                         "--frame", "0,0,0,8",        "--depth", "3"};
+        line.insert(line.end(), rule.begin(), rule.end());
+        EXPECT_TRUE(succeeded(osem(line)));
+        return info("two")["volume_inner_world"];
+    };
+    EXPECT_EQ(volume({}), "112"); // 4^3 + 4^3 - 2 * 2^3
+    EXPECT_EQ(volume({"--winding", "odd"}), "112");
+    EXPECT_NE(volume({"--winding", "nonzero"}), "112");
+}
+
 TEST_F(Tool, StatsNameTheFiveStages) {
     write_file(path("box.off"), box_off({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}));
     const Ran ran = osem({"convert", path("box.off"), "-o", path("box.osem"), "--frame", "0,0,0,1", "--depth",

@@ -1,5 +1,6 @@
 // Exit codes, single-line errors, and no file left behind.
 #include <cstdlib>
+#include <filesystem>
 #include <ostream>
 #include <sstream>
 #include <streambuf>
@@ -112,6 +113,40 @@ TEST_F(Tool, AnOutputMayReplaceAnOperand) {
     make_box("b", {0, 0, 0}, {0.5, 1, 1});
     ASSERT_TRUE(succeeded(osem({"union", path("a.osem"), path("b.osem"), "-o", path("a.osem")})));
     EXPECT_EQ(read_file(path("a.osem")), read_file(path("b.osem")));
+}
+
+TEST_F(Tool, TheInputIsNotOverwritten) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    std::filesystem::create_symlink(path("box.off"), path("link.off"));
+    const Names before = files();
+    const std::string mesh = read_file(path("box.off"));
+    const std::string tree = read_file(path("box.osem"));
+    const std::string in = path("box.osem");
+    const std::string new_tree = path("new.osem");
+    for (const std::string& same : {path("box.off"), path("./box.off"), path("link.off")}) {
+        EXPECT_TRUE(failed(osem({"convert", path("box.off"), "-o", same}), 1, "--output: the same file"));
+        EXPECT_TRUE(failed(osem({"convert", path("box.off"), "-o", new_tree, "--quantized", same}), 1,
+                           "--quantized: the same file"));
+    }
+    EXPECT_TRUE(failed(osem({"convert", path("box.off"), "-o", new_tree, "--quantized", path("./new.osem")}),
+                       1, "--quantized: the same file"));
+    EXPECT_TRUE(failed(osem({"image", in, "-o", path("./box.osem")}), 1, "--output: the same file"));
+    EXPECT_TRUE(
+        failed(osem({"slice", in, "-o", in, "--axis", "x", "--at", "0"}), 1, "--output: the same file"));
+    EXPECT_EQ(read_file(path("box.off")), mesh);
+    EXPECT_EQ(read_file(path("box.osem")), tree);
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Tool, AnEmptyOutputNameIsWrongUsage) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    const std::string in = path("box.osem");
+    for (const Names& line : {Names{"convert", path("box.off"), "-o", ""}, Names{"union", in, in, "-o", ""},
+                              Names{"convert", path("box.off"), "-o", path("new.osem"), "--quantized", ""},
+                              Names{"complement", in, "-o", ""}, Names{"image", in, "-o", ""},
+                              Names{"slice", in, "-o", "", "--axis", "x", "--at", "0"}}) {
+        EXPECT_TRUE(failed(osem(line), 1, "the name of the file to write is empty")) << line[0];
+    }
 }
 
 TEST_F(Tool, ANameWithALineBreakIsReportedOnOneLine) {

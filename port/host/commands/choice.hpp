@@ -13,9 +13,10 @@ namespace osem::host {
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// Adds an option that sets `target` to the value of the word given; any other word is wrong usage.
-template <class Value>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& target, const std::string& help,
+/// Adds an option that sets `target` (a Value or an optional one) to the value of the word given; any other
+/// word is wrong usage.
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& target, const std::string& help,
                         const Choices<Value>& choices) {
     const auto set = [&target, choices](const std::string& word) {
         for (const auto& [known, value] : choices) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands/command.hpp"
+#include "commands/output_option.hpp"
 #include "console/progress.hpp"
 #include "files/decimal.hpp"
 #include "files/host_pool.hpp"
@@ -27,13 +28,17 @@ struct Operands {
 void require_same_frame(const TreeFile& a, const TreeFile& b) {
     if (same_cube(a.facts().cube, b.facts().cube)) return;
     throw BadInput("the frames differ: " + a.path() + " covers " + frame_text(a.facts().cube) + ", " +
-                   b.path() + " covers " + frame_text(b.facts().cube));
+                   b.path() + " covers " + frame_text(b.facts().cube) +
+                   "; convert both with the same --frame");
 }
 
-// "Conservative" is a promise about every black and white leaf, so one operand without it breaks it.
-LeafRule weaker(LeafRule a, LeafRule b) {
-    return a == LeafRule::conservative && b == LeafRule::conservative ? LeafRule::conservative
-                                                                      : LeafRule::centre;
+// A black or white leaf is a promise about all of itself under one rule, about its centre under the other; a
+// result of both would promise nothing.
+void require_same_leaves(const TreeFile& a, const TreeFile& b) {
+    if (a.facts().leaves == b.facts().leaves) return;
+    throw BadInput("the leaf rules differ: " + a.path() + " has " + leaf_rule_name(a.facts().leaves) +
+                   " leaves, " + b.path() + " has " + leaf_rule_name(b.facts().leaves) +
+                   " leaves; convert both with the same --leaves");
 }
 
 TreeOutcome run_pass(Combination& job, Operator op, const Octree& a, const Octree& b, NodePool& pool,
@@ -51,6 +56,7 @@ void run_combination(Operator op, const Operands& files, const Console& console)
     TreeFile file_a(files.a);
     TreeFile file_b(files.b);
     require_same_frame(file_a, file_b);
+    require_same_leaves(file_a, file_b);
     auto operands = std::make_unique<HostPool>(std::uint64_t{file_a.nodes()} + file_b.nodes());
     const Octree a = file_a.read(operands->pool());
     const Octree b = file_b.read(operands->pool());
@@ -64,8 +70,7 @@ void run_combination(Operator op, const Operands& files, const Console& console)
         run_pass(*job, op, all.adopted(a), all.adopted(b), all.pool(), false, progress);
 
     OutputFile output(files.output);
-    write_tree(output, result.tree,
-               {file_a.facts().cube, weaker(file_a.facts().leaves, file_b.facts().leaves)});
+    write_tree(output, result.tree, file_a.facts());
     output.commit();
 }
 
@@ -83,8 +88,8 @@ void run_complement(const Operands& files) {
     output.commit();
 }
 
-void add_output(CLI::App* command, Operands& operands) {
-    command->add_option("-o,--output", operands.output, "Octree file to write; may be one of those read")
+void add_result(CLI::App& command, Operands& operands) {
+    add_output(command, "-o,--output", operands.output, "Octree file to write; may be one of those read")
         ->required()
         ->type_name("C.osem");
 }
@@ -93,8 +98,10 @@ void add_combination(CLI::App& app, const Console& console, const char* name, co
     CLI::App* command = app.add_subcommand(name, help);
     const auto operands = std::make_shared<Operands>();
     command->add_option("A", operands->a, "Octree file")->required()->type_name("");
-    command->add_option("B", operands->b, "Octree file with the same frame")->required()->type_name("");
-    add_output(command, *operands);
+    command->add_option("B", operands->b, "Octree file with the same frame and leaf rule")
+        ->required()
+        ->type_name("");
+    add_result(*command, *operands);
     command->callback([operands, op, &console] { run_combination(op, *operands, console); });
 }
 
@@ -111,7 +118,7 @@ void add_complement(CLI::App& app, const Console&) {
     CLI::App* command = app.add_subcommand("complement", "What the root cube holds outside A");
     const auto operands = std::make_shared<Operands>();
     command->add_option("A", operands->a, "Octree file")->required()->type_name("");
-    add_output(command, *operands);
+    add_result(*command, *operands);
     command->callback([operands] { run_complement(*operands); });
 }
 

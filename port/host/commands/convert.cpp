@@ -11,6 +11,7 @@
 
 #include "commands/choice.hpp"
 #include "commands/command.hpp"
+#include "commands/output_option.hpp"
 #include "commands/solid_input.hpp"
 #include "console/progress.hpp"
 #include "files/decimal.hpp"
@@ -31,7 +32,8 @@ struct Options {
     std::string output;
     std::string frame;
     std::string quantized;
-    ConvertOptions conversion;
+    std::optional<WindingRule> winding; ///< none: as the mesh asks for
+    ConvertOptions conversion;          ///< but for the winding rule
     bool stats = false;
 };
 
@@ -79,25 +81,34 @@ void print_stats(std::ostream& out, const Conversion& job, const Converted& conv
         << static_cast<std::uint64_t>(1e9 * converted.seconds / static_cast<double>(octants)) << '\n';
 }
 
+// Without orientation a facet only says that crossing it changes between inside and outside.
+WindingRule default_winding(const IntegerSolid& solid) {
+    return solid.oriented ? WindingRule::nonzero : WindingRule::odd;
+}
+
 void run_convert(const Options& options, const Console& console) {
     if (options.conversion.leaves == LeafRule::centre && options.conversion.depth == max_depth) {
         throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
     }
-    if (options.quantized == options.output) {
-        throw CLI::ValidationError("--quantized", "the same file as --output");
+    refuse_same_file("--output", options.output, "the input", options.input);
+    if (!options.quantized.empty()) {
+        refuse_same_file("--quantized", options.quantized, "the input", options.input);
+        refuse_same_file("--quantized", options.quantized, "--output", options.output);
     }
     OutputFile::probe(options.output);
     if (!options.quantized.empty()) OutputFile::probe(options.quantized);
 
     const IntegerSolid solid = read_solid(options.input, parse_frame(options.frame));
     const CheckedSolid checked = check_solid(options.input, solid);
+    ConvertOptions conversion = options.conversion;
+    conversion.winding = options.winding.value_or(default_winding(solid));
     const auto job = std::make_unique<Conversion>();
     std::optional<Progress> progress(std::in_place, console, "converting");
-    const Converted converted = convert_twice(*job, checked, options.conversion, *progress);
+    const Converted converted = convert_twice(*job, checked, conversion, *progress);
     progress.reset();
 
     OutputFile tree_file(options.output);
-    write_tree(tree_file, converted.outcome.tree, {solid.cube, options.conversion.leaves});
+    write_tree(tree_file, converted.outcome.tree, {solid.cube, conversion.leaves});
     if (!options.quantized.empty()) {
         OutputFile quantized(options.quantized);
         write_off(quantized.stream(), solid);
@@ -119,7 +130,7 @@ void add_convert(CLI::App& app, const Console& console) {
     command->add_option("IN", options->input, "Mesh file: .off, .stl, .obj or .poly")
         ->required()
         ->type_name("");
-    command->add_option("-o,--output", options->output, "Octree file to write")
+    add_output(*command, "-o,--output", options->output, "Octree file to write")
         ->required()
         ->type_name("OUT.osem");
     command->add_option("--depth", options->conversion.depth, "Depth of the tree, 1 to 20 (19 with centre)")
@@ -132,8 +143,9 @@ void add_convert(CLI::App& app, const Console& console) {
                          {{"conservative", LeafRule::conservative}, {"centre", LeafRule::centre}})
         ->type_name("RULE");
     add_choice<WindingRule>(
-        *command, "--winding", options->conversion.winding,
-        "Which winding numbers are inside: nonzero (the default), odd or positive",
+        *command, "--winding", options->winding,
+        "Which winding numbers are inside: nonzero (the default), odd (the default for .poly, whose facets "
+        "are not oriented: crossing one changes between inside and outside) or positive",
         {{"nonzero", WindingRule::nonzero}, {"odd", WindingRule::odd}, {"positive", WindingRule::positive}})
         ->type_name("RULE");
     command
@@ -143,9 +155,8 @@ void add_convert(CLI::App& app, const Console& console) {
         ->type_name("X,Y,Z,SIDE");
     command->add_flag("--stats", options->stats,
                       "Print faces rejected and accepted by each stage, octants visited, nodes and time");
-    command
-        ->add_option("--quantized", options->quantized,
-                     "Also write the integer solid actually converted, in lattice units (0 to 2^20)")
+    add_output(*command, "--quantized", options->quantized,
+               "Also write the integer solid actually converted, in lattice units (0 to 2^20)")
         ->type_name("Q.off");
     command->callback([options, &console] { run_convert(*options, console); });
 }

@@ -33,7 +33,7 @@ void run_info(const std::string& input, std::ostream& out) {
     const TreeFacts& facts = file.facts();
     const Measures m = measure(tree);
     out << "depth " << int{tree.depth} << '\n'
-        << "leaf_rule " << (facts.leaves == LeafRule::centre ? "centre" : "conservative") << '\n'
+        << "leaf_rule " << leaf_rule_name(facts.leaves) << '\n'
         << "frame " << frame_text(facts.cube) << '\n'
         << "nodes " << m.nodes << '\n'
         << "white " << m.white_leaves << '\n'

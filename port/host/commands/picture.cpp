@@ -7,6 +7,7 @@
 
 #include "commands/choice.hpp"
 #include "commands/command.hpp"
+#include "commands/output_option.hpp"
 #include "console/progress.hpp"
 #include "files/decimal.hpp"
 #include "files/host_pool.hpp"
@@ -45,6 +46,7 @@ void write_image(const std::string& path, const Image& image) {
 }
 
 void run_image(const ImageOptions& options, const Console& console) {
+    refuse_same_file("--output", options.output, "the input", options.input);
     OutputFile::probe(options.output);
     TreeFile file(options.input);
     HostPool pool(file.nodes());
@@ -65,6 +67,7 @@ std::int32_t cell_at(const WorldCube& cube, Axis axis, double world) {
 }
 
 void run_slice(const SliceOptions& options) {
+    refuse_same_file("--output", options.output, "the input", options.input);
     OutputFile::probe(options.output);
     TreeFile file(options.input);
     double world = 0;
@@ -102,7 +105,7 @@ void add_image(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("image", "Draw an octree as a shaded picture");
     const auto options = std::make_shared<ImageOptions>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
-    command->add_option("-o,--output", options->output, "PNG file to write")
+    add_output(*command, "-o,--output", options->output, "PNG file to write")
         ->required()
         ->type_name("OUT.png");
     command
@@ -123,7 +126,7 @@ void add_slice(CLI::App& app, const Console&) {
     CLI::App* command = app.add_subcommand("slice", "Draw a plane of an octree");
     const auto options = std::make_shared<SliceOptions>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
-    command->add_option("-o,--output", options->output, "PNG file to write")
+    add_output(*command, "-o,--output", options->output, "PNG file to write")
         ->required()
         ->type_name("OUT.png");
     add_choice<Axis>(*command, "--axis", options->axis, "The axis the plane is perpendicular to: x, y or z",

@@ -72,7 +72,6 @@ void TreeFile::read_header(std::uint64_t size) {
     const std::uint64_t expected = stream_size(header.nodes);
     if (size < expected) damaged(describe(Status::stream_truncated), size);
     if (size > expected) damaged(describe(Status::stream_trailing_bytes), expected);
-    if (header.leaf_rule > static_cast<std::uint8_t>(LeafRule::centre)) damaged("unknown leaf rule", 6);
     facts_ = {cube_of(header), static_cast<LeafRule>(header.leaf_rule)};
     if (!is_cube(facts_.cube)) damaged("the frame is not a cube of finite numbers", 8);
     nodes_ = header.nodes;
@@ -104,6 +103,8 @@ void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts) {
     // A refusal by the sink is the stream's own fault state, which commit() reports.
     static_cast<void>(write_stream(tree, header, Sink{write_bytes, &file.stream()}));
 }
+
+const char* leaf_rule_name(LeafRule rule) { return rule == LeafRule::centre ? "centre" : "conservative"; }
 
 bool same_cube(const WorldCube& a, const WorldCube& b) {
     for (std::size_t i = 0; i < 3; ++i) {

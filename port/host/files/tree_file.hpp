@@ -48,6 +48,9 @@ class TreeFile {
 /// Writes a tree into an output file (without commit).
 void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts);
 
+/// "conservative" or "centre".
+const char* leaf_rule_name(LeafRule rule);
+
 /// Whether two cubes are the same bit for bit.
 bool same_cube(const WorldCube& a, const WorldCube& b);
 

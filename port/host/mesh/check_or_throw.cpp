@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include "mesh/coordinates.hpp"
@@ -20,12 +21,26 @@ std::uint32_t uses_of(const IntegerSolid& solid, std::uint32_t from, std::uint32
     return uses;
 }
 
+std::string times(std::uint32_t uses) {
+    if (uses == 0) return "never";
+    return uses == 1 ? "once" : std::to_string(uses) + " times";
+}
+
+// What makes an edge of so many uses one way and so many the other.
+const char* likely_cause(std::uint32_t most, std::uint32_t least) {
+    if (least == 0 && most == 1) return "a gap, a crack or a T-junction";
+    if (least == 0 && most % 2 == 0) return "a face is turned over";
+    return "a gap, a crack, a T-junction or a face turned over";
+}
+
 std::string open_edge(const IntegerSolid& solid, const Edge& edge) {
+    const std::uint32_t forward = uses_of(solid, edge.from, edge.to);
+    const std::uint32_t backward = uses_of(solid, edge.to, edge.from);
+    const std::uint32_t most = std::max(forward, backward);
+    const std::uint32_t least = std::min(forward, backward);
     return "surface is not closed: edge " + to_text(solid.file_coordinates[edge.from]) + " - " +
-           to_text(solid.file_coordinates[edge.to]) + " is used " +
-           std::to_string(uses_of(solid, edge.from, edge.to)) + " time(s) one way and " +
-           std::to_string(uses_of(solid, edge.to, edge.from)) +
-           " the other; so a gap, a crack, a T-junction or a face turned over shows";
+           to_text(solid.file_coordinates[edge.to]) + " is used " + times(most) + " one way and " +
+           times(least) + " the other: " + likely_cause(most, least);
 }
 
 } // namespace

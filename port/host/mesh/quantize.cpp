@@ -180,6 +180,7 @@ IntegerSolid quantize(const Mesh& mesh, const WorldCube& cube) {
     if (mesh.vertices.size() >= none) throw BadInput("the mesh has more vertices than 32 bits can count");
     IntegerSolid solid;
     solid.cube = cube;
+    solid.oriented = mesh.oriented;
     solid.input_faces = mesh.face_count();
     solid.input_vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     take_faces(mesh, weld(mesh, solid), solid);

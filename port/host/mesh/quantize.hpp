@@ -34,6 +34,8 @@ struct IntegerSolid : FaceTable {
     std::vector<std::array<double, 3>> file_coordinates; ///< of the first file vertex at each lattice vertex
     bool triangles_only = true;                          ///< every face is one ring of three corners
 
+    bool oriented = true; ///< as the mesh: its file says which way every face looks
+
     std::uint32_t input_faces = 0;
     std::uint32_t input_vertices = 0;
     std::uint32_t welded_vertices = 0; ///< file vertices merged into an earlier one on the same point

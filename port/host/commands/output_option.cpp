@@ -1,0 +1,38 @@
+#include "commands/output_option.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+namespace osem::host {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string empty_fault(const std::string& name) {
+    return name.empty() ? "the name of the file to write is empty" : std::string();
+}
+
+// A file that is still to be written has no identity but its path.
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);
+    const fs::path path_a = fs::weakly_canonical(fs::absolute(a, error), error);
+    const fs::path path_b = fs::weakly_canonical(fs::absolute(b, error), error);
+    return !path_a.empty() && path_a == path_b;
+}
+
+} // namespace
+
+CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& target,
+                        const std::string& help) {
+    return command.add_option(name, target, help)->check(empty_fault);
+}
+
+void refuse_same_file(const char* option, const std::string& output, const std::string& what,
+                      const std::string& other) {
+    if (same_file(output, other))
+        throw CLI::ValidationError(option, "the same file as " + what + ' ' + other);
+}
+
+} // namespace osem::host
