@@ -31,8 +31,9 @@ CLI::Option* add_output(CLI::App& command, const std::string& name, std::string&
 
 void refuse_same_file(const char* option, const std::string& output, const std::string& what,
                       const std::string& other) {
-    if (same_file(output, other))
+    if (same_file(output, other)) {
         throw CLI::ValidationError(option, "the same file as " + what + ' ' + other);
+    }
 }
 
 } // namespace osem::host
