@@ -115,6 +115,17 @@ TEST(Bounded, WideOperandsNarrowResult) {
     EXPECT_EQ((Far::claim(two_to_40) * Bounded<0, 0>::claim(0)).value(), 0);
 }
 
+TEST(Bounded, MagnitudeHasTheRangeOfTheFartherEnd) {
+    using Lopsided = Bounded<-7, 3>;
+    EXPECT_EQ(magnitude(Lopsided::claim(-7)).value(), 7);
+    EXPECT_EQ(magnitude(Lopsided::claim(3)).value(), 3);
+    EXPECT_EQ(magnitude(Lopsided::claim(0)).value(), 0);
+    static_assert(std::is_same_v<decltype(magnitude(Lopsided::claim(0))), Bounded<0, 7>>);
+    static_assert(
+        std::is_same_v<decltype(magnitude(Bounded<-7, two_to_40>::claim(0))), Bounded<0, two_to_40>>);
+    EXPECT_EQ(magnitude(Bounded<-two_to_40, 0>::claim(-two_to_40)).value(), two_to_40);
+}
+
 TEST(Bounded, WideningKeepsTheValue) {
     const Bounded<-5, 5> narrow = Bounded<-5, 5>::claim(-5);
     const Bounded<-5, two_to_40> wide = narrow;

@@ -92,6 +92,13 @@ constexpr auto operator*(Bounded<A, B> x, Bounded<C, D> y) {
         static_cast<typename Product::Rep>(static_cast<Wide>(x.value()) * static_cast<Wide>(y.value())));
 }
 
+/// The distance from 0.
+template <std::int64_t A, std::int64_t B>
+constexpr auto magnitude(Bounded<A, B> x) {
+    using Magnitude = Bounded<0, detail::greatest(-A, B)>;
+    return Magnitude::claim(static_cast<typename Magnitude::Rep>(x.value() < 0 ? -x.value() : x.value()));
+}
+
 } // namespace osem
 
 #endif

@@ -1,6 +1,7 @@
 #include "osem/classify.hpp"
 
-#include "geometry/projection.hpp"
+#include "geometry/plane.hpp"
+#include "geometry/sight.hpp"
 
 namespace osem {
 
@@ -50,32 +51,42 @@ bool all_in_closed(const Solid& solid, const std::uint32_t* corner, const std::u
     return true;
 }
 
-// The box corner at which the plane's value is greatest (towards > 0) or least (towards < 0).
-Point extreme_corner(const Plane& plane, const Box& box, int towards) {
-    Point corner = box.lo;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (plane.normal(axis).sign() == towards) corner.at[axis] = box.hi.at[axis];
+// The diagonal of a box from the corner at which the plane's value is least to the one at which it is
+// greatest.
+struct Diagonal {
+    Point from;
+    Point to;
+    int way[3]; // 1 or -1 along each axis
+
+    Diagonal(const Plane& plane, const Box& box) : from(box.lo), to(box.hi), way{1, 1, 1} {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (plane.normal(axis).sign() >= 0) continue;
+            from.at[axis] = box.hi.at[axis];
+            to.at[axis] = box.lo.at[axis];
+            way[axis] = -1;
+        }
     }
-    return corner;
+};
+
+bool plane_meets(const Plane& plane, const Diagonal& diagonal) {
+    return plane.at(diagonal.from).sign() < 0 && plane.at(diagonal.to).sign() > 0;
 }
 
-bool plane_meets(const Plane& plane, const Box& box) {
-    return plane.at(extreme_corner(plane, box, -1)).value() < 0 &&
-           plane.at(extreme_corner(plane, box, 1)).value() > 0;
+// How far a point is ahead of the box's centre along an axis, doubled.
+auto ahead_of_centre(const Point& p, const Box& box, int axis) {
+    return difference(p, box.lo, axis) + difference(p, box.hi, axis);
 }
 
-// Does the line a -> b, seen along an axis, pass through the open square of the box? The orientation of a
-// square's point grows with v where the line runs towards u, and with u where it runs against v.
-bool line_meets_square(const Point& a, const Point& b, const Box& box, int along) {
-    const Projection p(along);
-    const int du = difference(b, a, p.u).sign();
-    const int dv = difference(b, a, p.v).sign();
-    if (du == 0 && dv == 0) return true; // a null axis separates nothing
-    Point least = box.lo;
-    Point greatest = box.lo;
-    (du > 0 ? greatest : least).at[p.v] = box.hi.at[p.v];
-    (dv < 0 ? greatest : least).at[p.u] = box.hi.at[p.u];
-    return orientation(a, b, least, p).value() < 0 && orientation(a, b, greatest, p).value() > 0;
+// Does the line a -> b, seen along the axis that is not u or v, pass through the open square of the box? It
+// does when it passes the centre at less than the reach of the square's corners; both sides are doubled, so
+// that the centre is on the lattice, and carry the line's length.
+bool line_meets_square(const Point& a, const Point& b, const Box& box, int u, int v) {
+    const auto du = difference(b, a, u);
+    const auto dv = difference(b, a, v);
+    const auto reach = difference(box.hi, box.lo, u) * (magnitude(du) + magnitude(dv));
+    if (reach.value() == 0) return true; // a null axis separates nothing
+    const auto passes = du * ahead_of_centre(a, box, v) - dv * ahead_of_centre(a, box, u);
+    return magnitude(passes).value() < reach.value();
 }
 
 // Closed segment against open box by separating axes: the box's axes (the outcodes' common bits) and their
@@ -89,8 +100,9 @@ bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
         for (std::uint32_t i = 0; i < ring.count; ++i) {
             const Point* b = &solid.vertices[ring.corners[i]];
             const unsigned b_code = outcode(*b, box);
-            if ((a_code & b_code) == 0 && line_meets_square(*a, *b, box, 0) &&
-                line_meets_square(*a, *b, box, 1) && line_meets_square(*a, *b, box, 2)) {
+            if ((a_code & b_code) == 0 && line_meets_square(*a, *b, box, axis_y, axis_z) &&
+                line_meets_square(*a, *b, box, axis_z, axis_x) &&
+                line_meets_square(*a, *b, box, axis_x, axis_y)) {
                 return true;
             }
             a = b;
@@ -100,53 +112,17 @@ bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
     return false;
 }
 
-// A point of the section of plane and open box, as seen along the plane's dominant axis.
-struct SectionPoint {
-    Point corner;
-    Nudge nudge;
-};
-
-// Seen along the dominant axis the slope is at most 1, so over one of the square's four corners the plane
-// passes within the box's closed height: from the corner where it is lowest (below the top) to the one where
-// it is highest (above the bottom) two steps along sides lead, each of which climbs at most one side. That
-// corner belongs to the closure of the section; an infinitesimal move into the square, and off the top or
-// bottom if the plane passes exactly there, takes it inside.
-SectionPoint point_of_section(const Plane& plane, const Box& box, Axis dominant) {
-    const Projection p(dominant);
-    SectionPoint section = {box.lo, Nudge{1, 1, true}};
-    for (unsigned k = 0; k < 4; ++k) {
-        const bool high_u = (k & 1U) != 0;
-        const bool high_v = (k & 2U) != 0;
-        section.corner.at[p.u] = high_u ? box.hi.at[p.u] : box.lo.at[p.u];
-        section.corner.at[p.v] = high_v ? box.hi.at[p.v] : box.lo.at[p.v];
-        section.nudge = Nudge{high_u ? -1 : 1, high_v ? -1 : 1, true};
-        Point top = section.corner;
-        top.at[dominant] = box.hi.at[dominant];
-        const int bottom_side = plane.at(section.corner).sign();
-        const int top_side = plane.at(top).sign();
-        if (bottom_side * top_side > 0) continue;
-        // At a tie the leading move must give the end on the plane the side opposite to the other end.
-        if (bottom_side == 0) section.nudge.u_leads = plane.normal(p.u).sign() * section.nudge.u == -top_side;
-        if (top_side == 0) section.nudge.u_leads = plane.normal(p.u).sign() * section.nudge.u == -bottom_side;
-        break;
-    }
-    return section;
-}
-
-// Stages 4 and 5 once no edge meets the open octant: the section lies wholly on one side of every ring, so
-// one point of it decides for all of them.
-Decision decide_by_section(const Solid& solid, std::uint32_t face, const Plane& plane, const Box& box) {
-    const Axis dominant = plane.dominant_axis();
-    const Projection projection(dominant);
-    const SectionPoint point = point_of_section(plane, box, dominant);
+// Stages 4 and 5 once no edge meets the open octant: the section of plane and octant lies wholly on one side
+// of every ring, so one point of it decides for all of them. The diagonal passes through the plane in the
+// open octant, and what winds around the diagonal winds around that point.
+Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagonal& diagonal) {
+    const Sight sight(diagonal.from, axis_x, diagonal.way[1] * diagonal.way[0],
+                      diagonal.way[2] * diagonal.way[0]);
     const std::uint32_t outer = solid.first_ring(face);
-    const std::int32_t outer_winding =
-        ring_winding(solid, solid.ring(outer), point.corner, projection, point.nudge);
-    std::int32_t winding = outer_winding;
-    for (std::uint32_t hole = outer + 1; hole < solid.end_ring(face); ++hole) {
-        winding += ring_winding(solid, solid.ring(hole), point.corner, projection, point.nudge);
-    }
-    const bool decided_by_outer = solid.end_ring(face) == outer + 1 || (outer_winding == 0 && winding == 0);
+    const std::uint32_t end = solid.end_ring(face);
+    const std::int32_t outer_winding = winding_of_rings(solid, outer, outer + 1, sight);
+    const std::int32_t winding = outer_winding + winding_of_rings(solid, outer + 1, end, sight);
+    const bool decided_by_outer = end == outer + 1 || (outer_winding == 0 && winding == 0);
     return Decision{decided_by_outer ? Stage::section : Stage::holes, winding != 0};
 }
 
@@ -161,8 +137,9 @@ Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant&
     if (survey.common != 0) return {Stage::minimax, false};
 
     const Plane plane(solid, face);
+    const Diagonal diagonal(plane, box);
     const bool has_area = !plane.is_null();
-    if (has_area && !plane_meets(plane, box)) return {Stage::plane, false};
+    if (has_area && !plane_meets(plane, diagonal)) return {Stage::plane, false};
 
     // A triangle within the closed octant whose plane meets the open one has its inner points there. (A
     // longer ring may run back on itself and have none.)
@@ -172,7 +149,7 @@ Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant&
 
     if (any_edge_meets(solid, face, box)) return {Stage::section, true};
     if (!has_area) return {Stage::section, false};
-    return decide_by_section(solid, face, plane, box);
+    return decide_by_section(solid, face, diagonal);
 }
 
 } // namespace osem

@@ -1,6 +1,7 @@
 #include "classify/crossing.hpp"
 
-#include "geometry/projection.hpp"
+#include "geometry/plane.hpp"
+#include "geometry/sight.hpp"
 
 namespace osem {
 
@@ -18,13 +19,10 @@ int side_of_reference(const Plane& plane, const Point& q) {
 
 std::int32_t crossing(const Solid& solid, std::uint32_t face, const Point& from, Axis axis,
                       std::int32_t length) {
-    // Seen along the axis, the path is a point, moved most along the lower of the two axes left. The rings
-    // wind around it as often as the face lies across the line of the path.
-    const Projection projection(axis);
-    std::int32_t winding = 0;
-    for (std::uint32_t ring = solid.first_ring(face); ring < solid.end_ring(face); ++ring) {
-        winding += ring_winding(solid, solid.ring(ring), from, projection, Nudge{1, 1, true});
-    }
+    // Seen along the axis the path is a point, and the face lies across the path's line as often as its rings
+    // wind around it.
+    const std::int32_t winding =
+        winding_of_rings(solid, solid.first_ring(face), solid.end_ring(face), Sight(from, axis));
     if (winding == 0) return 0;
 
     const Plane plane(solid, face);

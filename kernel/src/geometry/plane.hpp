@@ -33,16 +33,6 @@ class Plane {
         return normal_[0] * offset(q, 0) + normal_[1] * offset(q, 1) + normal_[2] * offset(q, 2);
     }
 
-    /// The axis along which the normal is longest: over the other two the plane's slope is at most 1.
-    Axis dominant_axis() const {
-        const auto length = [this](int axis) {
-            const auto component = normal_[axis].value();
-            return component < 0 ? -component : component;
-        };
-        if (length(0) >= length(1) && length(0) >= length(2)) return axis_x;
-        return length(1) >= length(2) ? axis_y : axis_z;
-    }
-
   private:
     Plane(const Solid& solid, const std::uint32_t* corner, const std::uint32_t* end)
         : origin_(solid.vertices[*corner]), normal_{NormalComponent::claim(0), NormalComponent::claim(0),
