@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "osem/boolean.hpp"
+#include "osem/query.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 

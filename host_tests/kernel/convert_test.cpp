@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "osem/query.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/small_solids.hpp"

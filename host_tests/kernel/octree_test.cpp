@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "osem/query.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 
@@ -27,49 +28,6 @@ TEST(Octree, LeafQueriesGiveTheGridBack) {
         HeapPool pool(5000);
         EXPECT_EQ(expand(planted(grid, *pool), grid.depth()), grid) << "seed " << seed;
     }
-}
-
-// At points inside the cells, and the leaf around them: one colour, but no such leaf around its parent.
-TEST(Octree, LeafAtFindsTheWholeLeaf) {
-    std::mt19937 random(7);
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-        const DenseGrid grid = grid_of(seed);
-        HeapPool pool(5000);
-        const Octree tree = planted(grid, *pool);
-        for (int i = 0; i < 200; ++i) {
-            const std::size_t cell = random() % grid.size();
-            Point p = grid.corner(cell);
-            for (std::int32_t& c : p.at) c += static_cast<std::int32_t>(random()) & (grid.cell_side() - 1);
-            const PointOutcome found = leaf_at(tree, p);
-            ASSERT_EQ(found.status, Status::ok);
-            ASSERT_LE(found.visited, tree.depth);
-            ASSERT_EQ(found.visited, found.leaf.octant.level == 0 ? 1 : found.leaf.octant.level);
-            for (int axis = 0; axis < 3; ++axis) {
-                const std::int32_t offset = p.at[axis] - found.leaf.octant.corner.at[axis];
-                ASSERT_TRUE(offset >= 0 && offset < found.leaf.octant.side());
-            }
-            const std::size_t cells = grid.size() >> (3 * found.leaf.octant.level);
-            const std::size_t first = cell / cells * cells;
-            ASSERT_EQ(grid.uniform_colour(first, cells), found.leaf.colour) << "seed " << seed;
-            if (found.leaf.octant.level > 0) {
-                ASSERT_FALSE(grid.uniform_colour(cell / (8 * cells) * (8 * cells), 8 * cells)) << seed;
-            }
-        }
-    }
-}
-
-TEST(Octree, LeafAtRefusesPointsOffTheRoot) {
-    HeapPool pool(0);
-    const Octree tree = Octree::uniform(*pool, Colour::black);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const std::int32_t bad : {-1, INT32_MIN, root_side, root_side + 1, INT32_MAX}) {
-            Point p = {{0, 0, 0}};
-            p.at[axis] = bad;
-            EXPECT_EQ(leaf_at(tree, p).status, Status::point_off_root);
-        }
-    }
-    EXPECT_EQ(leaf_at(tree, Point{{0, 0, 0}}).status, Status::ok);
-    EXPECT_EQ(leaf_at(tree, Point{{root_side - 1, root_side - 1, root_side - 1}}).status, Status::ok);
 }
 
 TEST(Octree, LeavesTileTheRootInMortonOrder) {

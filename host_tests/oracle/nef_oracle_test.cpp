@@ -8,6 +8,7 @@
 #include "converted.hpp"
 #include "exact_solid.hpp"
 #include "level.hpp"
+#include "osem/query.hpp"
 #include "solids.hpp"
 
 namespace oracle {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <random>
 
+#include "osem/query.hpp"
+
 namespace osem::tests {
 
 const std::vector<Colour> two_colours = {Colour::white, Colour::black};

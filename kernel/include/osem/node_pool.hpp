@@ -87,14 +87,27 @@ constexpr unsigned count_bits(std::uint8_t mask) {
 /// every index below a mark may be read, from an interrupt or another core, while nodes above it are being
 /// written, provided that the reader got its tree after the tree was finished (with whatever barrier the
 /// part needs to publish a pointer). Compaction and roll-back below a live tree are the two exceptions.
+///
+/// A read-only pool stands over constant nodes, in flash for example. It is full for good: its trees are read
+/// like any others, nothing is ever written through it. Pool and trees are then constants themselves:
+///
+///     constexpr osem::Node nodes[] = {...};
+///     constexpr osem::NodePool pool = osem::NodePool::over(nodes, 3);
+///     constexpr osem::Octree zone = {&pool, osem::Node::of(0x0f, 0x10, 2), 4};
 class NodePool {
   public:
     /// The greatest usable capacity; a larger one is clipped. One index is kept free as a sentinel.
     static constexpr std::uint32_t max_capacity = static_cast<NodeIndex>(~NodeIndex{0});
 
     /// A pool over `capacity` nodes; the memory must outlive the pool and every tree in it.
-    constexpr NodePool(Node* memory, std::uint32_t capacity)
-        : memory_(memory), capacity_(capacity < max_capacity ? capacity : max_capacity) {}
+    constexpr NodePool(Node* memory, std::uint32_t capacity) : NodePool(memory, memory, capacity, 0) {}
+
+    /// A read-only pool over `count` nodes, all in use; a greater count than max_capacity is clipped. append
+    /// answers pool_exhausted, compact pool_read_only, and roll_back does nothing.
+    static constexpr NodePool over(const Node* nodes, std::uint32_t count) {
+        return NodePool(nodes, nullptr, count, count);
+    }
+
     NodePool(const NodePool&) = delete;
     NodePool& operator=(const NodePool&) = delete;
 
@@ -105,7 +118,7 @@ class NodePool {
 
     constexpr const Node& at(NodeIndex index) const {
         OSEM_ASSERT(index < used_);
-        return memory_[index];
+        return nodes_[index];
     }
 
     /// The node of grey child k of `parent`. Precondition: child k is grey.
@@ -123,10 +136,18 @@ class NodePool {
 
   private:
     friend class Compactor;
-    Node* memory_;
+    constexpr NodePool(const Node* nodes, Node* memory, std::uint32_t capacity, std::uint32_t used)
+        : nodes_(nodes), memory_(memory), capacity_(clipped(capacity)), used_(clipped(used)), peak_(used_) {}
+    static constexpr std::uint32_t clipped(std::uint32_t count) {
+        return count < max_capacity ? count : max_capacity;
+    }
+    constexpr bool read_only() const { return memory_ != nodes_; }
+
+    const Node* nodes_;
+    Node* memory_; ///< the same nodes to write to; null in a read-only pool
     std::uint32_t capacity_;
-    std::uint32_t used_ = 0;
-    std::uint32_t peak_ = 0;
+    std::uint32_t used_;
+    std::uint32_t peak_;
     std::uint32_t refused_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// An octree as a value, and what can be asked of it.
+// An octree as a value: measures, walks and compaction. Queries are in query.hpp.
 #ifndef OSEM_OCTREE_HPP
 #define OSEM_OCTREE_HPP
 
@@ -32,17 +32,6 @@ struct Leaf {
     Octant octant;
     Colour colour;
 };
-
-/// Outcome of a point query.
-struct PointOutcome {
-    Status status;
-    Leaf leaf;             ///< the leaf that holds the point's cell
-    std::uint32_t visited; ///< nodes visited, at most the tree's depth
-};
-
-/// The leaf that holds the cell [x, x + 1) x [y, y + 1) x [z, z + 1). Status: ok; point_off_root when a
-/// coordinate is outside [0, 2^20). Cost: O(depth) nodes.
-PointOutcome leaf_at(const Octree& tree, const Point& cell);
 
 /// Exact measures of a tree. A uniform root octant is one leaf of level 0.
 struct Measures {
@@ -117,7 +106,8 @@ constexpr std::uint32_t compact_scratch(std::uint32_t nodes_used) {
 /// is gone, and none may be read meanwhile. The pool's used() is afterwards the number of nodes reached.
 ///
 /// Scratch: compact_scratch(pool.used()) words; overwritten. Cost: O(used + trees * used / 32).
-/// Status: ok; scratch_too_small; pools_differ when a tree is of another pool. When not ok, nothing changed.
+/// Status: ok; pool_read_only; scratch_too_small; pools_differ when a tree is of another pool. When not ok,
+/// nothing changed.
 Status compact(NodePool& pool, Octree* trees, std::uint32_t tree_count, std::uint32_t* scratch,
                std::uint32_t scratch_size);
 

@@ -11,6 +11,7 @@
 #include "osem/lattice.hpp"
 #include "osem/node_pool.hpp"
 #include "osem/octree.hpp"
+#include "osem/query.hpp"
 #include "osem/solid.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"

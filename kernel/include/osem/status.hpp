@@ -28,7 +28,9 @@ enum class Status : std::uint8_t {
     pool_exhausted,     ///< the pool has too few free nodes; the number missing is reported beside it
     unfinished,         ///< finish was called before step had said that nothing is left
     pools_differ,       ///< operands or result live in different pools
-    point_off_root,     ///< a query point lies outside the root octant
+    pool_read_only,     ///< the pool's nodes are constants and cannot be moved
+    point_off_root,     ///< a query point or a bound of a query box lies outside the root octant
+    box_empty,          ///< a query box holds no cell
 
     // Stream.
     stream_truncated,       ///< the stream ends before its node count is reached

@@ -14,6 +14,8 @@ class Compactor {
   public:
     Compactor(NodePool& pool, std::uint32_t* marks) : pool_(pool), marks_(marks) {}
 
+    bool may_write() const { return !pool_.read_only(); }
+
     void run(Octree* trees, std::uint32_t tree_count) {
         for (std::uint32_t w = 0; w < compact_scratch(pool_.used_); ++w) marks_[w] = 0;
         for (std::uint32_t t = 0; t < tree_count; ++t) mark_children(trees[t].top);
@@ -93,11 +95,13 @@ class Compactor {
 
 Status compact(NodePool& pool, Octree* trees, std::uint32_t tree_count, std::uint32_t* scratch,
                std::uint32_t scratch_size) {
+    Compactor compactor(pool, scratch);
+    if (!compactor.may_write()) return Status::pool_read_only;
     if (scratch_size < compact_scratch(pool.used())) return Status::scratch_too_small;
     for (std::uint32_t t = 0; t < tree_count; ++t) {
         if (trees[t].pool != &pool) return Status::pools_differ;
     }
-    Compactor(pool, scratch).run(trees, tree_count);
+    compactor.run(trees, tree_count);
     return Status::ok;
 }
 

@@ -16,6 +16,7 @@ Status NodePool::append(const Node* nodes, std::uint32_t count, NodeIndex& first
 
 void NodePool::roll_back(std::uint32_t mark) {
     OSEM_ASSERT(mark <= used_);
+    if (read_only()) return; // stays full, which is why append never gets to write
     used_ = mark;
 }
 

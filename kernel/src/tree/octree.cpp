@@ -60,27 +60,6 @@ bool LeafWalk::next(Leaf& leaf) {
     }
 }
 
-PointOutcome leaf_at(const Octree& tree, const Point& cell) {
-    for (const std::int32_t coordinate : cell.at) {
-        if (coordinate < 0 || coordinate >= root_side) {
-            return {Status::point_off_root, Leaf{root_octant, Colour::white}, 0};
-        }
-    }
-    Leaf leaf = {root_octant, tree.top.colour(0)};
-    std::uint32_t visited = 1;
-    if (tree.top.is_uniform()) return {Status::ok, leaf, visited};
-    for (const Node* node = &tree.top;; ++visited) {
-        const std::int32_t half = leaf.octant.side() / 2;
-        unsigned child = 0;
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            if ((cell.at[axis] & half) != 0) child |= 1U << axis;
-        }
-        leaf = Leaf{leaf.octant.child(child), node->colour(child)};
-        if (leaf.colour != Colour::grey) return {Status::ok, leaf, visited};
-        node = &tree.pool->child(*node, child);
-    }
-}
-
 Measures measure(const Octree& tree) {
     Measures m = {};
     if (tree.top.is_uniform()) {

@@ -32,8 +32,12 @@ const char* describe(Status status) {
         return "work was given up before it was done";
     case Status::pools_differ:
         return "trees are of different pools";
+    case Status::pool_read_only:
+        return "pool is read only";
     case Status::point_off_root:
         return "point lies outside the root octant";
+    case Status::box_empty:
+        return "box holds no cell";
     case Status::stream_truncated:
         return "stream ends too early";
     case Status::stream_not_osem:

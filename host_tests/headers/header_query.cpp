@@ -1,0 +1,2 @@
+#include "osem/query.hpp"
+#include "osem/query.hpp" // and once more: the guard

@@ -1,0 +1,138 @@
+#include "osem/query.hpp"
+
+#include "tree/masks.hpp"
+
+namespace osem {
+
+PointOutcome leaf_at(const Octree& tree, const Point& cell) {
+    PointOutcome outcome = {Status::point_off_root, Leaf{root_octant, Colour::white}, 0};
+    for (const std::int32_t coordinate : cell.at) {
+        if (coordinate < 0 || coordinate >= root_side) return outcome;
+    }
+    outcome.status = Status::ok;
+    Leaf& leaf = outcome.leaf;
+    const Node* node = &tree.top;
+    leaf.colour = node->colour(0);
+    outcome.visited = 1;
+    if (node->is_uniform()) return outcome;
+    for (;; ++outcome.visited) {
+        const std::int32_t half = leaf.octant.side() / 2;
+        unsigned child = 0;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const std::int32_t bit = cell.at[axis] & half;
+            leaf.octant.corner.at[axis] |= bit;
+            if (bit != 0) child |= 1U << axis;
+        }
+        ++leaf.octant.level;
+        leaf.colour = node->colour(child);
+        if (leaf.colour != Colour::grey) break;
+        node = &tree.pool->child(*node, child);
+    }
+    return outcome;
+}
+
+namespace {
+
+constexpr std::uint8_t low_children[3] = {0x55, 0x33, 0x0f}; // of an axis; the others are on its high side
+
+// The children of an octant that have a cell in the box, or within `margin` cells of it.
+std::uint8_t children_in(const Octant& octant, const CellBox& box, std::int32_t margin) {
+    const std::int32_t half = octant.side() / 2;
+    unsigned children = 0xff;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const std::int32_t middle = octant.corner.at[axis] + half;
+        const std::int32_t low = box.low.at[axis] - margin - middle; // from the octant's middle
+        const std::int32_t high = box.high.at[axis] + margin - middle;
+        if (low >= 0 || high <= -half) children &= ~unsigned{low_children[axis]};
+        if (low >= half || high <= 0) children &= low_children[axis];
+    }
+    return static_cast<std::uint8_t>(children);
+}
+
+Status fault_of(const CellBox& box) {
+    Status status = Status::ok;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const std::int32_t low = box.low.at[axis];
+        const std::int32_t high = box.high.at[axis];
+        if (low < 0 || low > root_side || high < 0 || high > root_side) return Status::point_off_root;
+        if (low >= high) status = Status::box_empty;
+    }
+    return status;
+}
+
+constexpr unsigned bit_of(Colour colour) { return 1U << static_cast<unsigned>(colour); }
+constexpr unsigned solid_bits = bit_of(Colour::black) | bit_of(Colour::boundary);
+constexpr unsigned near_bit = bit_of(Colour::grey); // solid in or beside the box; free, as no cell is grey
+constexpr unsigned all_bits = bit_of(Colour::white) | solid_bits;
+
+// The nodes whose octants reach the box, in preorder.
+class BoxWalk {
+  public:
+    BoxWalk(const Octree& tree, const CellBox& box) : pool_(tree.pool), box_(box), node_(&tree.top) {}
+
+    // Takes in the leaves of the node reached; false when nothing can change the answer any more.
+    bool visit() {
+        const std::uint8_t inside = children_in(octant_, box_, 0);
+        if ((inside & whites(*node_)) != 0) seen_ |= bit_of(Colour::white);
+        if ((inside & boundaries(*node_)) != 0) seen_ |= bit_of(Colour::boundary);
+        if ((inside & blacks(*node_)) != 0) seen_ |= bit_of(Colour::black);
+        std::uint8_t enter = inside;
+        if ((seen_ & near_bit) == 0) { // then what lies beside the box matters as well
+            const std::uint8_t around = children_in(octant_, box_, 1);
+            if ((around & node_->may) != 0) {
+                seen_ |= near_bit;
+            } else {
+                enter = around;
+            }
+        }
+        path_[octant_.level] = node_;
+        left_[octant_.level] = enter & node_->grey();
+        return (seen_ & all_bits) != all_bits;
+    }
+
+    // Goes on to the next node; false when there is none.
+    bool advance() {
+        unsigned level = octant_.level;
+        while (left_[level] == 0) {
+            if (level-- == 0) return false;
+        }
+        const unsigned child = lowest(left_[level]);
+        left_[level] = without_lowest(left_[level]);
+        node_ = &pool_->child(*path_[level], child);
+        const std::int32_t side = root_side >> level;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            octant_.corner.at[axis] &= -side;
+            if (((child >> axis) & 1U) != 0) octant_.corner.at[axis] += side / 2;
+        }
+        octant_.level = static_cast<std::uint8_t>(level + 1);
+        return true;
+    }
+
+    std::uint8_t colours() const { return static_cast<std::uint8_t>(seen_ & all_bits); }
+    bool touches() const { return (seen_ & (solid_bits | near_bit)) == near_bit; }
+
+  private:
+    const NodePool* pool_;
+    const CellBox& box_;
+    const Node* node_; // the one reached, and its octant
+    Octant octant_ = {Point{{0, 0, 0}}, 0};
+    unsigned seen_ = 0;
+    const Node* path_[max_depth];  // the nodes from the top down to it
+    std::uint8_t left_[max_depth]; // grey children of each that are still to be entered
+};
+
+} // namespace
+
+BoxOutcome colours_in(const Octree& tree, const CellBox& box) {
+    BoxOutcome outcome = {fault_of(box), 0, false, 0};
+    if (outcome.status != Status::ok) return outcome;
+    BoxWalk walk(tree, box);
+    do {
+        ++outcome.visited;
+    } while (walk.visit() && walk.advance());
+    outcome.colours = walk.colours();
+    outcome.touches = walk.touches();
+    return outcome;
+}
+
+} // namespace osem
