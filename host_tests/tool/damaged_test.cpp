@@ -67,7 +67,8 @@ TEST_F(Damaged, NoCommandWritesFromADamagedFile) {
          {Names{"union", good, bad, "-o", out}, Names{"intersection", bad, good, "-o", out},
           Names{"difference", good, bad, "-o", out}, Names{"xor", bad, good, "-o", out},
           Names{"complement", bad, "-o", out}, Names{"image", bad, "-o", out},
-          Names{"slice", bad, "-o", out, "--axis", "y", "--at", "0.5"}, Names{"leaves", bad}}) {
+          Names{"slice", bad, "-o", out, "--axis", "y", "--at", "0.5"}, Names{"leaves", bad},
+          Names{"carray", bad, "-o", out}}) {
         const Ran ran = osem(line);
         EXPECT_TRUE(failed(ran, 2, "bad.osem")) << line[0];
         EXPECT_TRUE(ran.out.empty()) << line[0];

@@ -17,7 +17,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names commands = {"check", "convert",    "union",  "intersection", "difference", "xor",
-                        "info",  "complement", "leaves", "image",        "slice"};
+                        "info",  "complement", "leaves", "image",        "slice",      "carray"};
 
 TEST_F(Tool, HelpListsEveryCommandAndEachHasHelp) {
     const Ran ran = osem({"--help"});
@@ -70,10 +70,11 @@ TEST_F(Tool, OptionsOutOfRangeAreWrongUsage) {
 TEST_F(Tool, MissingInputExitsWithTwoAndLeavesNoFile) {
     const std::string none = path("none.osem");
     const std::string out = path("out");
-    for (const Names& line : {Names{"check", path("none.off")}, Names{"convert", path("none.off"), "-o", out},
-                              Names{"union", none, none, "-o", out}, Names{"complement", none, "-o", out},
-                              Names{"info", none}, Names{"leaves", none}, Names{"image", none, "-o", out},
-                              Names{"slice", none, "-o", out, "--axis", "x", "--at", "0"}}) {
+    for (const Names& line :
+         {Names{"check", path("none.off")}, Names{"convert", path("none.off"), "-o", out},
+          Names{"union", none, none, "-o", out}, Names{"complement", none, "-o", out}, Names{"info", none},
+          Names{"leaves", none}, Names{"image", none, "-o", out},
+          Names{"slice", none, "-o", out, "--axis", "x", "--at", "0"}, Names{"carray", none, "-o", out}}) {
         EXPECT_TRUE(failed(osem(line), 2, "none.")) << line[0];
     }
     EXPECT_TRUE(files().empty());
@@ -88,7 +89,7 @@ TEST_F(Tool, OutputInAMissingFolderIsRefused) {
          {Names{"convert", path("box.off"), "-o", out}, Names{"union", in, in, "-o", out},
           Names{"convert", path("box.off"), "-o", path("good.osem"), "--quantized", out},
           Names{"complement", in, "-o", out}, Names{"image", in, "-o", out, "--size", "16"},
-          Names{"slice", in, "-o", out, "--axis", "x", "--at", "0"}}) {
+          Names{"slice", in, "-o", out, "--axis", "x", "--at", "0"}, Names{"carray", in, "-o", out}}) {
         EXPECT_TRUE(failed(osem(line), 2, "nowhere/out")) << line[0];
     }
     EXPECT_TRUE(failed(osem({"complement", in, "-o", path(".")}), 2, "directory"));
@@ -141,10 +142,11 @@ TEST_F(Tool, TheInputIsNotOverwritten) {
 TEST_F(Tool, AnEmptyOutputNameIsWrongUsage) {
     make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
     const std::string in = path("box.osem");
-    for (const Names& line : {Names{"convert", path("box.off"), "-o", ""}, Names{"union", in, in, "-o", ""},
-                              Names{"convert", path("box.off"), "-o", path("new.osem"), "--quantized", ""},
-                              Names{"complement", in, "-o", ""}, Names{"image", in, "-o", ""},
-                              Names{"slice", in, "-o", "", "--axis", "x", "--at", "0"}}) {
+    for (const Names& line :
+         {Names{"convert", path("box.off"), "-o", ""}, Names{"union", in, in, "-o", ""},
+          Names{"convert", path("box.off"), "-o", path("new.osem"), "--quantized", ""},
+          Names{"complement", in, "-o", ""}, Names{"image", in, "-o", ""},
+          Names{"slice", in, "-o", "", "--axis", "x", "--at", "0"}, Names{"carray", in, "-o", ""}}) {
         EXPECT_TRUE(failed(osem(line), 1, "the name of the file to write is empty")) << line[0];
     }
 }

@@ -43,6 +43,7 @@ void add_commands(CLI::App& app, const Console& console) {
     add_leaves(app, console);
     add_image(app, console);
     add_slice(app, console);
+    add_carray(app, console);
 }
 
 int parse_and_run(int argc, const char* const* argv, const Console& console) {

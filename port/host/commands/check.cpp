@@ -1,6 +1,5 @@
 // osem check: what the solid in a mesh file is.
 #include <memory>
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -36,7 +35,7 @@ void print(std::ostream& out, const IntegerSolid& solid, const Topology& t) {
 }
 
 void run_check(const std::string& input, std::ostream& out) {
-    const IntegerSolid solid = read_solid(input, std::nullopt);
+    const IntegerSolid solid = read_solid(input, SolidOptions());
     static_cast<void>(check_solid(input, solid));
     print(out, solid, topology(solid));
 }

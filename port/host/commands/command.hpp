@@ -19,6 +19,7 @@ void add_info(CLI::App& app, const Console& console);
 void add_leaves(CLI::App& app, const Console& console);
 void add_image(CLI::App& app, const Console& console);
 void add_slice(CLI::App& app, const Console& console);
+void add_carray(CLI::App& app, const Console& console);
 
 } // namespace osem::host
 

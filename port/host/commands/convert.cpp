@@ -14,7 +14,6 @@
 #include "commands/output_option.hpp"
 #include "commands/solid_input.hpp"
 #include "console/progress.hpp"
-#include "files/decimal.hpp"
 #include "files/host_pool.hpp"
 #include "files/output_file.hpp"
 #include "files/tree_file.hpp"
@@ -30,10 +29,9 @@ namespace {
 struct Options {
     std::string input;
     std::string output;
-    std::string frame;
     std::string quantized;
-    std::optional<WindingRule> winding; ///< none: as the mesh asks for
-    ConvertOptions conversion;          ///< but for the winding rule
+    SolidOptions solid;
+    ConvertOptions conversion; ///< but for the winding rule
     bool stats = false;
 };
 
@@ -81,11 +79,6 @@ void print_stats(std::ostream& out, const Conversion& job, const Converted& conv
         << static_cast<std::uint64_t>(1e9 * converted.seconds / static_cast<double>(octants)) << '\n';
 }
 
-// Without orientation a facet only says that crossing it changes between inside and outside.
-WindingRule default_winding(const IntegerSolid& solid) {
-    return solid.oriented ? WindingRule::nonzero : WindingRule::odd;
-}
-
 void run_convert(const Options& options, const Console& console) {
     if (options.conversion.leaves == LeafRule::centre && options.conversion.depth == max_depth) {
         throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
@@ -98,10 +91,10 @@ void run_convert(const Options& options, const Console& console) {
     OutputFile::probe(options.output);
     if (!options.quantized.empty()) OutputFile::probe(options.quantized);
 
-    const IntegerSolid solid = read_solid(options.input, parse_frame(options.frame));
+    const IntegerSolid solid = read_solid(options.input, options.solid);
     const CheckedSolid checked = check_solid(options.input, solid);
     ConvertOptions conversion = options.conversion;
-    conversion.winding = options.winding.value_or(default_winding(solid));
+    conversion.winding = winding_rule(options.solid, solid);
     const auto job = std::make_unique<Conversion>();
     std::optional<Progress> progress(std::in_place, console, "converting");
     const Converted converted = convert_twice(*job, checked, conversion, *progress);
@@ -116,10 +109,6 @@ void run_convert(const Options& options, const Console& console) {
     }
     tree_file.commit();
     if (options.stats) print_stats(console.out, *job, converted);
-}
-
-std::string frame_fault(const std::string& text) {
-    return parse_frame(text) ? std::string() : "expected X,Y,Z,SIDE: four finite numbers, SIDE above 0";
 }
 
 } // namespace
@@ -142,17 +131,7 @@ void add_convert(CLI::App& app, const Console& console) {
                          "boundary) or centre (black or white, as the leaf's centre)",
                          {{"conservative", LeafRule::conservative}, {"centre", LeafRule::centre}})
         ->type_name("RULE");
-    add_choice<WindingRule>(
-        *command, "--winding", options->winding,
-        "Which winding numbers are inside: nonzero (the default), odd (the default for .poly, whose facets "
-        "are not oriented: crossing one changes between inside and outside) or positive",
-        {{"nonzero", WindingRule::nonzero}, {"odd", WindingRule::odd}, {"positive", WindingRule::positive}})
-        ->type_name("RULE");
-    command
-        ->add_option("--frame", options->frame,
-                     std::string("World cube that the root covers. Default: ") + default_cube_rule)
-        ->check(frame_fault)
-        ->type_name("X,Y,Z,SIDE");
+    add_solid_options(*command, options->solid);
     command->add_flag("--stats", options->stats,
                       "Print faces rejected and accepted by each stage, octants visited, nodes and time");
     add_output(*command, "--quantized", options->quantized,
