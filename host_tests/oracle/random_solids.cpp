@@ -1,8 +1,9 @@
 // Random solids, the same in every run.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <random>
 
 #include "solids.hpp"
@@ -12,7 +13,12 @@ namespace oracle {
 namespace {
 
 using Hull = CGAL::Exact_predicates_inexact_constructions_kernel; // nothing is constructed: doubles are exact
-using HullMesh = CGAL::Surface_mesh<Hull::Point_3>;
+
+Hull::Point_3 hull_point(const osem::Point& p) { return {p.x(), p.y(), p.z()}; }
+
+bool comes_before(const osem::Point& a, const osem::Point& b) {
+    return std::lexicographical_compare(std::begin(a.at), std::end(a.at), std::begin(b.at), std::end(b.at));
+}
 
 // Half of the coordinates are even and a quarter multiples of eight, so that corners, edges and faces often
 // lie on planes of octants.
@@ -50,23 +56,85 @@ TestSolid soup(const Grid& grid, std::mt19937& random) {
     return all;
 }
 
-TestSolid hull(const Grid& grid, std::mt19937& random) {
-    std::vector<Hull::Point_3> points;
-    const auto count = static_cast<unsigned>(6 + random() % 20U);
-    for (unsigned i = 0; i < count; ++i) {
-        const osem::Point p = small_point(grid, random);
-        points.emplace_back(p.x(), p.y(), p.z());
-    }
-    HullMesh mesh;
-    CGAL::convex_hull_3(points.begin(), points.end(), mesh);
-    TestSolid solid;
-    for (const auto face : mesh.faces()) {
-        Polygon ring;
-        for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh)) {
-            const Hull::Point_3& p = mesh.point(vertex);
-            ring.push_back({{static_cast<int>(p.x()), static_cast<int>(p.y()), static_cast<int>(p.z())}});
+bool collinear(const osem::Point& a, const osem::Point& b, const osem::Point& c) {
+    return CGAL::collinear(hull_point(a), hull_point(b), hull_point(c));
+}
+
+CGAL::Orientation side(const osem::Point& a, const osem::Point& b, const osem::Point& c,
+                       const osem::Point& q) {
+    return CGAL::orientation(hull_point(a), hull_point(b), hull_point(c), hull_point(q));
+}
+
+// The points' convex hull in their common plane, counter-clockwise seen from the side on which `inner` is
+// not: from each corner on to the point that has no other one to its right, the farthest of several.
+Polygon wrapped(const Polygon& points, const osem::Point& inner) {
+    const auto closer = [](const osem::Point& from, const osem::Point& a, const osem::Point& b) {
+        return CGAL::has_smaller_distance_to_point(hull_point(from), hull_point(a), hull_point(b));
+    };
+    Polygon ring;
+    osem::Point at = *std::min_element(points.begin(), points.end(), comes_before);
+    do {
+        ring.push_back(at);
+        osem::Point next = at;
+        for (const osem::Point& p : points) {
+            const bool is_better =
+                next == at || (collinear(at, next, p) ? closer(at, next, p) : side(at, next, p, inner) > 0);
+            if (p != at && is_better) next = p;
         }
-        solid.add_face({ring});
+        at = next;
+    } while (at != ring.front());
+    return ring;
+}
+
+// Whether a, b and c are the first two points and the first one off their line.
+bool spans_first(const Polygon& points, const osem::Point& a, const osem::Point& b, const osem::Point& c) {
+    const auto off_line = [&](const osem::Point& p) { return !collinear(points[0], points[1], p); };
+    return a == points[0] && b == points[1] && c == *std::find_if(points.begin(), points.end(), off_line);
+}
+
+// The points on a plane that has all others on one side; nothing when there are points on both.
+struct Support {
+    Polygon on_plane;
+    std::optional<osem::Point> inner;
+};
+
+std::optional<Support> support(const Polygon& points, const osem::Point& a, const osem::Point& b,
+                               const osem::Point& c) {
+    Support support;
+    for (const osem::Point& p : points) {
+        const CGAL::Orientation where = side(a, b, c, p);
+        if (where == CGAL::COPLANAR) {
+            support.on_plane.push_back(p);
+        } else if (!support.inner) {
+            support.inner = p;
+        } else if (side(a, b, c, *support.inner) != where) {
+            return std::nullopt;
+        }
+    }
+    return support;
+}
+
+// The convex hull by trying every plane through three points. (CGAL's convex_hull_3 cuts coplanar faces into
+// triangles, and which ones depends on where its memory lies.)
+TestSolid hull(const Grid& grid, std::mt19937& random) {
+    Polygon points;
+    const auto count = static_cast<unsigned>(6 + random() % 20U);
+    for (unsigned i = 0; i < count; ++i) points.push_back(small_point(grid, random));
+    std::sort(points.begin(), points.end(), comes_before);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+
+    TestSolid solid;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            for (std::size_t k = j + 1; k < points.size(); ++k) {
+                if (collinear(points[i], points[j], points[k])) continue;
+                const auto face = support(points, points[i], points[j], points[k]);
+                // Each plane once: by the first three of its points that span it.
+                if (face && face->inner && spans_first(face->on_plane, points[i], points[j], points[k])) {
+                    solid.add_face({wrapped(face->on_plane, *face->inner)});
+                }
+            }
+        }
     }
     return solid;
 }
