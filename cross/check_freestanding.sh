@@ -1,58 +1,76 @@
 #!/usr/bin/env bash
-# Proves that the kernel is freestanding: every source alone, for Cortex-M0, without a library. Fails on an
-# undefined symbol outside allowed_symbols.txt, on writable data, and on a cycle in the call graph
+# Proves that the kernel is freestanding on a target (cross/check_freestanding.sh TARGET): every source alone,
+# without a library, at -O2 and -Os, with both widths of a node index. Fails on an undefined symbol outside
+# symbols/TARGET.txt, naming the objects that want it; on writable data; and on a cycle in the call graph
 # (recursion). Prints the size of each object.
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
-kernel=$here/../kernel
+. "$(dirname "$0")/targets.sh"
+target=${1:-cortex-m0}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
+read -ra compiler <<< "$(target_compiler "$target")"
+nm=$(target_tool "$target" nm)
+size=$(target_tool "$target" size)
 
-flags=(-std=c++17 -mcpu=cortex-m0 -mthumb -Os -ffreestanding -fno-exceptions -fno-rtti -nostdlib
-       -fno-threadsafe-statics -ffunction-sections -fcallgraph-info
-       -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror
-       -I"$kernel/include" -I"$kernel/src")
+flags=(-std=c++17 -ffreestanding -fno-exceptions -fno-rtti -nostdlib -fno-threadsafe-statics -fno-pic
+       -ffunction-sections -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror
+       -I"$root/kernel/include" -I"$root/kernel/src")
+# Clang draws no call graph; GCC's is of the same source.
+[ "${target%-clang}" != "$target" ] || flags+=(-fcallgraph-info)
 
-for index_bits in 32 16; do
-    objects=()
-    while IFS= read -r source; do
-        object=$out/$(basename "$source" .cpp).$index_bits.o
-        arm-none-eabi-g++ "${flags[@]}" -DOSEM_NODE_INDEX_BITS=$index_bits -c "$source" -o "$object"
-        objects+=("$object")
-    done < <(find "$kernel/src" -name '*.cpp' | sort)
+# The symbols that no object of the folder defines, one "symbol object" a line.
+undefined() {
+    local object
+    "$nm" --defined-only "$1"/*.o | awk 'NF == 3 { print $3 }' | sort -u > "$1/defined"
+    for object in "$1"/*.o; do
+        "$nm" -u "$object" | awk -v object="$(basename "$object")" 'NF == 2 { print $2, object }'
+    done | awk -v defined="$1/defined" 'BEGIN { while ((getline line < defined) > 0) known[line] } !($1 in known)'
+}
 
-    # Undefined once all of the kernel is in one object.
-    arm-none-eabi-g++ -mcpu=cortex-m0 -mthumb -nostdlib -r "${objects[@]}" -o "$out/kernel.o"
-    unexpected=$(arm-none-eabi-nm -u "$out/kernel.o" | awk '{print $2}' | sort -u |
-                 grep -vxF -f <(grep -v '^#' "$here/allowed_symbols.txt") || true)
-    if [ -n "$unexpected" ]; then
-        for symbol in $unexpected; do
-            for object in "${objects[@]}"; do
-                if arm-none-eabi-nm -u "$object" | grep -qw "$symbol"; then
-                    echo "freestanding: $(basename "$object") wants $symbol" >&2
-                fi
-            done
-        done
+check_symbols() {
+    local unexpected
+    unexpected=$(undefined "$1" | awk -v allowed="$cross/symbols/$target.txt" '
+        BEGIN { while ((getline line < allowed) > 0) known[line] } !($1 in known)')
+    [ -z "$unexpected" ] || {
+        echo "$unexpected" | sed 's/^\(.*\) \(.*\)$/freestanding: \2 wants \1/' >&2
         exit 1
-    fi
+    }
+}
 
-    echo "Cortex-M0, -Os, ${index_bits}-bit indices (bytes: text data bss)"
-    arm-none-eabi-size "${objects[@]}" | awk -v out="$out/" '
+check_sizes() {
+    "$size" "$1"/*.o | awk -v out="$1/" '
         NR > 1 { sub(out, "", $6); printf "  %6d %4d %4d  %s\n", $1, $2, $3, $6
                  text += $1; writable += $2 + $3 }
         END { printf "  %6d             whole kernel\n", text
               if (writable > 0) { print "freestanding: the kernel has writable data" > "/dev/stderr"; exit 1 } }'
+}
 
-    # Recursion would be a cycle among the call graph's edges: tsort names one, but takes a call of oneself
-    # for an isolated node.
-    cat "$out"/*."$index_bits".ci | sed -n 's/^edge: { sourcename: "\([^"]*\)" targetname: "\([^"]*\)".*/\1 \2/p' |
-        sort -u > "$out/calls"
-    if awk '$1 == $2 { print "freestanding: recursion: " $1 > "/dev/stderr"; found = 1 } END { exit !found }' "$out/calls"; then
+# Recursion would be a cycle among the call graph's edges: tsort names one, but takes a call of oneself for
+# an isolated node.
+check_recursion() {
+    cat "$1"/*.ci | sed -n 's/^edge: { sourcename: "\([^"]*\)" targetname: "\([^"]*\)".*/\1 \2/p' |
+        sort -u > "$1/calls"
+    if awk '$1 == $2 { print "freestanding: recursion: " $1 > "/dev/stderr"; found = 1 } END { exit !found }' "$1/calls"; then
         exit 1
     fi
-    if ! tsort "$out/calls" > /dev/null 2> "$out/cycle"; then
-        echo "freestanding: recursion: $(tr '\n' ' ' < "$out/cycle")" >&2
+    if ! tsort "$1/calls" > /dev/null 2> "$1/cycle"; then
+        echo "freestanding: recursion: $(tr '\n' ' ' < "$1/cycle")" >&2
         exit 1
     fi
-    echo "  $(wc -l < "$out/calls") calls, no cycle"
+    echo "  $(wc -l < "$1/calls") calls, no cycle"
+}
+
+for level in Os O2; do
+    for index_bits in 32 16; do
+        folder=$out/$level-$index_bits
+        mkdir "$folder"
+        for source in "$root"/kernel/src/*/*.cpp; do
+            "${compiler[@]}" "${flags[@]}" "-$level" -DOSEM_NODE_INDEX_BITS=$index_bits -c "$source" \
+                -o "$folder/$(basename "$source" .cpp).o"
+        done
+        echo "$target, -$level, $index_bits-bit indices (bytes: text data bss)"
+        check_symbols "$folder"
+        check_sizes "$folder"
+        [ "${target%-clang}" != "$target" ] || check_recursion "$folder"
+    done
 done

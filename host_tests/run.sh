@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every test that CI runs: format, freestanding proof, both compilers, with and without sanitizers, both
-# index widths, clang-tidy. Installs what it needs. Build trees go to $OSEM_BUILD_DIR (default: build/).
+# Runs every test that CI runs: format, both compilers, with and without sanitizers, both index widths,
+# clang-tidy, every architecture (cross/run.sh). Installs what it needs. Build trees go to $OSEM_BUILD_DIR (default: build/).
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=${OSEM_BUILD_DIR:-$root/build}
@@ -11,25 +11,15 @@ stage() { printf '\n== %s (%d s)\n' "$1" $((SECONDS - started)); }
 
 stage "packages"
 install_packages cmake make g++ clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libcgal-dev libgmp-dev \
-    libmpfr-dev libcli11-dev libstb-dev libtinyobjloader-dev gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
+    libmpfr-dev libcli11-dev libstb-dev libtinyobjloader-dev
 
-# The meshes of CGAL's demo package. Minimal images leave documentation folders out when they install, so
-# the package is unpacked by hand.
-meshes=$build/cgal-demo
-if [ ! -d "$meshes/data/meshes" ]; then
-    stage "meshes"
-    rm -rf "$meshes"
-    mkdir -p "$meshes"
-    (cd "$meshes" && apt-get download -qq libcgal-demo 2> /dev/null && dpkg-deb -x libcgal-demo_*.deb package &&
-     tar xzf package/usr/share/doc/libcgal-dev/data.tar.gz && rm -rf package libcgal-demo_*.deb)
-fi
-export OSEM_CGAL_DATA=$meshes/data
+. "$root/host_tests/meshes.sh"
+stage "meshes"
+OSEM_CGAL_DATA=$(unpack_meshes "$build")
+export OSEM_CGAL_DATA
 
 stage "format"
 (cd "$root" && git ls-files '*.cpp' '*.hpp' '*.h' | xargs clang-format --dry-run --Werror)
-
-stage "freestanding"
-"$root/cross/check_freestanding.sh"
 
 # run NAME ORACLE-LEVEL CMAKE-ARGUMENTS...
 run() {
@@ -49,7 +39,7 @@ run() {
 # The oracle is the long part to build: one run for each compiler, the whole of it optimised by GCC and the
 # fast part under Clang's sanitizers.
 sanitize=(-DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' -DOSEM_SANITIZE=ON)
-run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release
+run gcc-release full -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_CROSS=ON
 run clang-sanitize fast -DCMAKE_CXX_COMPILER=clang++ "${sanitize[@]}"
 run clang-release fast -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_ORACLE=OFF
 run gcc-sanitize fast -DCMAKE_CXX_COMPILER=g++ "${sanitize[@]}" -DOSEM_BUILD_ORACLE=OFF
@@ -59,6 +49,9 @@ run gcc-16-bit fast -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_N
 stage "tidy"
 (cd "$root" && git ls-files 'kernel/*.cpp' 'port/*.cpp' |
  xargs --max-args=1 --max-procs="$jobs" clang-tidy --quiet -p "$build/clang-release" 2> /dev/null)
+
+stage "every architecture"
+OSEM_BUILD_DIR=$build "$root/cross/run.sh"
 
 stage "quick start"
 OSEM_BUILD_DIR=$build bash "$root/port/host/quickstart.sh" "$build/out" > "$build/quickstart.log"

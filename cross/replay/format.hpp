@@ -1,0 +1,90 @@
+// The vector files: cases with the answers of exact arithmetic, written on a host by cross/vectors and
+// replayed on every target. A file holds one topic; every number is little-endian.
+//
+//     bytes  header
+//         4  'O' 'S' 'V' 'F'
+//         1  version, 1
+//         1  topic
+//         2  0
+//         4  number of cases in all records together
+//
+//     bytes  record, any number of them
+//         4  length of the body; 0xffffffff: no record, the file ends here
+//         2  number of cases in the record, 1 or more
+//         n  body
+//
+//     bytes  end
+//         4  0xffffffff
+//         4  CRC-32 (IEEE 802.3) of all bytes before it
+//
+// A file that is cut off or changed is noticed by its end. Bodies, where a point is three i32, and a status,
+// an axis or a rule is the u8 of the kernel's enumeration (writer and reader are of the same sources):
+//
+//     solid        u32 vertices, corners, rings, faces; u8 1 with ring tables, else 0; the vertices as
+//     points;
+//                  the corners as u32; with ring tables rings + 1 and faces + 1 entries as u32
+//     leaf         u8: 4 * level + colour
+//     tree         u32 nodes (the top included), u32 white, black and boundary leaves; u64 inner and outer
+//                  volume; u64 digest; u32 CRC-32 of the tree's stream with the frame of `stream_frame`;
+//                  u32 leaves, then the leaves in Morton order; u8 queries, each a point, u8 status and leaf
+//     options      u8 depth, u8 leaf rule, u8 winding rule
+//
+//     orientation  two points a, b; a case is a point q and, for projection along x, y, z and the
+//     `diagonals`,
+//                  an i64: the value
+//     plane        solid of one face, u8 1 if its corners are collinear; a case is a point q and an i64: the
+//                  plane's value
+//     classify     solid of one face; a case is an octant (point, u8 level) and u8: bit 0 the face meets the
+//                  open octant, bit 1 their bounding boxes do not overlap
+//     crossing     solid of one face; a case is a point, u8 axis, i32 length and i32: the change of winding
+//     frame        origin as a point, i8 shift; a case is a world point, u8 status, the lattice point (0 when
+//                  refused), another lattice point, u8 status, its world point (0 when refused)
+//     conversion   solid, u8 status of check, u32 where (see below), u8 jobs, each options and a tree. The
+//                  check is one case, each job another
+//     boolean      u32 pool nodes, two operands (options, solid), u8 rows, each u8 operation and a
+//                  tree. A row is a case; its operation is an Operator, or 4: the complement of the first
+//
+// `where` is the face for face_not_planar, the vertex for coordinate_off_lattice, the corner for
+// index_out_of_range, the ring for ring_too_short, and 0 otherwise.
+#ifndef OSEM_CROSS_REPLAY_FORMAT_HPP
+#define OSEM_CROSS_REPLAY_FORMAT_HPP
+
+#include <cstdint>
+
+#include "osem/lattice.hpp"
+#include "osem/octree.hpp"
+
+namespace osem::cross {
+
+constexpr std::uint8_t magic[4] = {'O', 'S', 'V', 'F'};
+constexpr std::uint8_t format_version = 1;
+
+/// The diagonals (1, y, z) of a cube, by y and z.
+constexpr std::int8_t diagonals[4][2] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+constexpr std::uint32_t end_marker = 0xffffffff;
+
+enum class Topic : std::uint8_t { orientation, plane, classify, crossing, frame, conversion, boolean };
+constexpr std::uint8_t topic_count = 7;
+constexpr const char* topic_names[topic_count] = {"orientation", "plane",      "classify", "crossing",
+                                                  "frame",       "conversion", "boolean"};
+
+/// The bits of a `classify` answer.
+constexpr std::uint8_t answer_meets = 1;
+constexpr std::uint8_t answer_minimax = 2;
+
+/// The row of a `boolean` record that is no operator.
+constexpr std::uint8_t operation_complement = 4;
+constexpr std::uint8_t operation_count = 5;
+
+/// What a stream's header says of the world: 1, -2, 0.5 and 1048576 as binary64.
+constexpr std::uint64_t stream_frame[4] = {0x3ff0000000000000, 0xc000000000000000, 0x3fe0000000000000,
+                                           0x4130000000000000};
+
+constexpr std::uint8_t encoded(int level, Colour colour) {
+    return static_cast<std::uint8_t>(4 * level + static_cast<int>(colour));
+}
+constexpr int encoded_level(std::uint8_t leaf) { return leaf >> 2; }
+
+} // namespace osem::cross
+
+#endif

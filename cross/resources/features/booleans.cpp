@@ -1,0 +1,7 @@
+// Booleans on trees in a pool.
+#include "features/roots.hpp"
+
+#include "osem/boolean.hpp"
+
+auto booleans_roots =
+    roots_of(&osem::Combination::begin, &osem::Combination::step, &osem::Combination::finish);

@@ -1,0 +1,6 @@
+// Checking solids that come from elsewhere.
+#include "features/roots.hpp"
+
+#include "osem/solid.hpp"
+
+auto check_roots = roots_of(&osem::check);

@@ -1,0 +1,130 @@
+// Counts the instructions of fixed jobs, under QEMU's -icount shift=0. Prints `count NAME INSTRUCTIONS` for
+// each; the exit code is 1 when a job does not give what it should.
+#include <cstdint>
+
+#include "instruction_clock.hpp"
+#include "osem/osem.hpp"
+#include "platform.hpp"
+#include "sphere.hpp"
+
+namespace osem::cross {
+
+using port::print;
+using port::print_number;
+
+namespace {
+
+constexpr int depth = 6; // 64 x 64 x 64 leaves at most
+constexpr std::uint32_t query_count = 1000;
+constexpr std::int32_t box_side = root_side / 16;
+
+constexpr Sphere left(Point{{450000, 500000, 500000}}, 380000);
+constexpr Sphere right(Point{{600000, 560000, 540000}}, 380000);
+
+StaticNodePool<20000> pool;
+StaticNodePool<10000> read_back;
+Conversion conversion;
+Combination combination;
+StreamReader reader;
+Edge edges[Sphere::corner_count];
+std::uint32_t faces[Sphere::triangle_count];
+std::uint8_t stream[30000];
+std::size_t stream_length = 0;
+Point cells[query_count];
+
+template <class Job>
+bool count(const char* name, Job job) {
+    cortex_m::start_instruction_clock();
+    const bool right_result = job();
+    const std::uint64_t instructions = cortex_m::instructions();
+    port::print("count ");
+    port::print(name);
+    port::print(" ");
+    port::print_number(instructions);
+    port::print(right_result ? "\n" : " with a wrong result\n");
+    return right_result;
+}
+
+bool to_memory(void*, const std::uint8_t* bytes, std::size_t length) {
+    if (length > sizeof stream - stream_length) return false;
+    for (std::size_t i = 0; i < length; ++i) stream[stream_length++] = bytes[i];
+    return true;
+}
+
+// Pseudo-random cells from which a box of queries still lies in the root (a linear congruential generator;
+// constants of Numerical Recipes).
+void choose_cells() {
+    std::uint32_t state = 1;
+    for (Point& cell : cells) {
+        for (std::int32_t& coordinate : cell.at) {
+            state = state * 1664525U + 1013904223U;
+            coordinate = static_cast<std::int32_t>(state >> 12) % (root_side - box_side);
+        }
+    }
+}
+
+bool point_queries(const Octree& tree) {
+    std::uint32_t found = 0;
+    for (const Point& cell : cells) {
+        if (leaf_at(tree, cell).leaf.colour == Colour::black) ++found;
+    }
+    return found != 0 && found != query_count;
+}
+
+bool box_queries(const Octree& tree) {
+    std::uint32_t clear = 0;
+    for (const Point& cell : cells) {
+        const CellBox box = {cell, {{cell.at[0] + box_side, cell.at[1] + box_side, cell.at[2] + box_side}}};
+        if (colours_in(tree, box).clear()) ++clear;
+    }
+    return clear != 0 && clear != query_count;
+}
+
+TreeOutcome converted(const Sphere& sphere) {
+    ConvertOptions options;
+    options.depth = depth;
+    return convert(conversion, CheckedSolid::vouched(sphere.solid()), options, faces, Sphere::triangle_count,
+                   &pool);
+}
+
+bool stream_jobs(const Octree& tree) {
+    bool good = count("write_stream", [&] {
+        return write_stream(tree, StreamHeader{}, Sink{to_memory, nullptr}) == Status::ok;
+    });
+    Octree same = Octree::uniform(read_back, Colour::white);
+    good &= count("read_stream", [&] {
+        reader.begin(&read_back);
+        reader.feed(stream, stream_length);
+        const StreamOutcome outcome = reader.finish();
+        same = outcome.built.tree;
+        return outcome.built.status == Status::ok;
+    });
+    return good && same_leaves(tree, same);
+}
+
+bool all_jobs() {
+    bool good =
+        count("check", [] { return check(left.solid(), edges, Sphere::corner_count).status == Status::ok; });
+    good &= check(right.solid(), edges, Sphere::corner_count).status == Status::ok;
+    TreeOutcome a = {};
+    good &= count("convert", [&] {
+        a = converted(left);
+        return a.status == Status::ok;
+    });
+    const TreeOutcome b = converted(right);
+    TreeOutcome both = {};
+    good &= b.status == Status::ok && count("union", [&] {
+                both = combine(combination, Operator::unite, a.tree, b.tree, pool);
+                return both.status == Status::ok;
+            });
+    choose_cells();
+    good &= count("point_queries", [&] { return point_queries(a.tree); });
+    good &= count("box_queries", [&] { return box_queries(a.tree); });
+    return stream_jobs(a.tree) && good;
+}
+
+} // namespace
+
+} // namespace osem::cross
+
+int main(int, char**) { return osem::cross::all_jobs() ? 0 : 1; }

@@ -1,0 +1,15 @@
+// One array for each type that a program holds in RAM, of the type's size, which is read from the symbols.
+#include "osem/osem.hpp"
+
+#define OSEM_SIZE(name) unsigned char size_of_##name[sizeof(osem::name)]
+
+OSEM_SIZE(Node);
+OSEM_SIZE(NodePool);
+OSEM_SIZE(Edge);
+OSEM_SIZE(Octree);
+OSEM_SIZE(TreeBuilder);
+OSEM_SIZE(Conversion);
+OSEM_SIZE(Combination);
+OSEM_SIZE(StreamReader);
+OSEM_SIZE(NodeWalk);
+OSEM_SIZE(LeafWalk);

@@ -1,0 +1,40 @@
+"""Worst-case stack of every public function."""
+
+from call_graph import INDIRECT, read_kernel
+from helper_stack import add_helpers
+from processors import Failure
+from public_functions import declared, readable_names
+
+# Functions that call through a pointer, and whose stack comes on top.
+CALLS_BACK = {"write_stream": "the sink's"}
+
+TARGET = 1024  # bytes, for each function
+
+
+def check_calls_back(graph, name, symbol):
+    if graph.reaches(symbol, INDIRECT) and name not in CALLS_BACK:
+        raise Failure(f"{name} calls through a pointer that is not accounted for")
+
+
+def check_whole_graph(graph):
+    """Recursion and unknown frames are errors wherever they are, also below no public function."""
+    for name in sorted(graph.frames):
+        graph.deepest(name)
+
+
+def bounds(build, whole_image):
+    """Bytes by the public functions' names, without the namespace."""
+    graph = read_kernel(build)
+    add_helpers(graph, whole_image)
+    check_whole_graph(graph)
+    public = declared(build.kernel)
+    found = {}
+    for symbol, name in readable_names(graph.frames.keys() | graph.aliases.keys()).items():
+        if name not in public or ":" in symbol:
+            continue
+        check_calls_back(graph, name, symbol)
+        found[name] = max(graph.deepest(symbol), found.get(name, 0))
+    missing = sorted(public - found.keys())
+    if missing:
+        raise Failure(f"declared but nowhere defined: {', '.join(missing)}")
+    return found

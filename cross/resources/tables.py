@@ -1,0 +1,142 @@
+"""The figures as Markdown."""
+
+from flash import FEATURES, TARGETS, WHOLE
+from processors import INDEX_BITS, PROCESSORS
+from stack_bound import CALLS_BACK, TARGET
+
+FEATURE_TEXTS = {
+    "query": "point and box queries",
+    "booleans": "and Booleans",
+    "conversion": "and conversion",
+    "check": "and check",
+    WHOLE: "the whole kernel",
+}
+JOB_TEXTS = {
+    "check": "check a sphere of 768 triangles",
+    "convert": "convert it at 64 x 64 x 64",
+    "union": "union of two such trees",
+    "point_queries": "1,000 point queries",
+    "box_queries": "1,000 box queries",
+    "write_stream": "write the tree as a stream",
+    "read_stream": "read it back",
+}
+ONE_BY_ONE = 100  # bytes; functions with less stack share one row
+
+
+def row(cells):
+    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+
+def table(heads, rows):
+    ruler = "|---|" + "---:|" * (len(heads) - 1)
+    return "\n".join([row(heads), ruler, *(row(cells) for cells in rows)])
+
+
+def names(figures, kind):
+    """The second parts of the figures' names of a kind."""
+    return sorted({name.split("/")[1] for name in figures if name.split("/")[0] == kind})
+
+
+def target_cell(figures, feature):
+    """The target, and on which processor it is missed."""
+    targets = {name: bound for (of, name), bound in TARGETS.items() if of == feature}
+    if not targets:
+        return ""
+    missed = [name for name, bound in targets.items()
+              if any(figures[f"flash/{feature}/{name}/{bits}"] > bound for bits in INDEX_BITS)]
+    where = " and ".join(targets)
+    verdict = f"**missed on {' and '.join(missed)}**" if missed else "met"
+    return f"{min(targets.values())} on {where}: {verdict}"
+
+
+def flash_table(figures):
+    heads = ["a program with"]
+    heads += [f"{processor.name}, {bits}-bit" for processor in PROCESSORS for bits in INDEX_BITS]
+    heads += [f"helpers, {processor.name}" for processor in PROCESSORS] + ["target"]
+    rows = []
+    for feature in (*FEATURES, WHOLE):
+        cells = [FEATURE_TEXTS[feature]]
+        cells += [figures[f"flash/{feature}/{processor.name}/{bits}"]
+                  for processor in PROCESSORS for bits in INDEX_BITS]
+        cells += [max(figures[f"helpers/{feature}/{processor.name}/{bits}"] for bits in INDEX_BITS)
+                  for processor in PROCESSORS]
+        rows.append([*cells, target_cell(figures, feature)])
+    return table(heads, rows)
+
+
+def stack_of(figures, name):
+    kinds = ("stack", "painted")
+    return [figures[f"{kind}/{name}/{processor.name}"] for processor in PROCESSORS for kind in kinds]
+
+
+def stack_table(figures):
+    heads = ["function"]
+    for processor in PROCESSORS:
+        heads += [f"{processor.name}, bound", f"{processor.name}, measured"]
+    stacks = {name: stack_of(figures, name) for name in names(figures, "stack")}
+    order = sorted(stacks, key=lambda name: -stacks[name][0])
+    large = [name for name in order if max(stacks[name]) >= ONE_BY_ONE]
+    rows = [[f"`{name}`" + (f" (and {CALLS_BACK[name]})" if name in CALLS_BACK else ""), *stacks[name]]
+            for name in large]
+    small = [stacks[name] for name in order if name not in large]
+    rows.append([f"each of the other {len(small)}, at most", *(max(column) for column in zip(*small))])
+    return table(heads, rows)
+
+
+def count_table(figures):
+    heads = ["job", *(processor.name for processor in PROCESSORS)]
+    rows = [[JOB_TEXTS[job], *(f"{figures[f'count/{job}/{processor.name}']:,}" for processor in PROCESSORS)]
+            for job in JOB_TEXTS]
+    return table(heads, rows)
+
+
+def ram_table(figures):
+    def size(name):
+        return [figures[f"ram/{name}/{bits}"] for bits in INDEX_BITS]
+
+    pools = [f"{own} + {node} n" for own, node in zip(size("NodePool"), size("Node"))]
+    rows = [["a pool of n nodes", *pools],
+            ["`check`: scratch for c corners", *(f"{edge} c" for edge in size("Edge"))],
+            ["`Conversion`: scratch for f faces", "4 f", "4 f"],
+            ["`compact`: scratch for n nodes in use", "4 ceil(n / 32)", "4 ceil(n / 32)"]]
+    held = [name for name in names(figures, "ram") if name not in ("Node", "NodePool", "Edge")]
+    rows += [[f"`{name}`", *size(name)] for name in sorted(held, key=lambda name: -size(name)[0])]
+    return table(["what", *(f"{bits}-bit indices" for bits in INDEX_BITS)], rows)
+
+
+def image_table(figures):
+    kinds = ("flash", "variables", "stack")
+    return table(["image", "flash", "static variables", "stack kept free"],
+                 [[name, *(figures[f"image/{name}/{kind}"] for kind in kinds)]
+                  for name in names(figures, "image")])
+
+
+def greatest_stack(figures):
+    bounds = [name for name in figures if name.startswith("stack/")]
+    greatest = max(bounds, key=figures.get)
+    name, bound = greatest.split("/")[1], figures[greatest]
+    verdict = f"under the target of {TARGET}" if bound <= TARGET else f"**over the target of {TARGET}**"
+    return f"The greatest is that of `{name}` with {bound}, {verdict}"
+
+
+FLASH_TEXT = """\
+Flash, in bytes of code and constants at `-Os`; each row includes those above it. Helpers are what comes beside
+it from the compiler's library and newlib's small C library: 64-bit arithmetic, `memcpy`, `memset`."""
+STACK_TEXT = """\
+Worst-case stack, in bytes, a function's own saved registers included. The bound is the longest path in the call
+graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest}."""
+COUNT_TEXT = """\
+Instructions, counted by QEMU in steps of 40, with 32-bit indices. (The M0's code runs on the model of a
+Cortex-M3, whose memory is large enough.)"""
+RAM_TEXT = "RAM, in bytes, the same on both processors."
+IMAGE_TEXT = "Whole images, in bytes."
+
+
+def document(figures):
+    parts = [FLASH_TEXT, flash_table(figures),
+             STACK_TEXT.format(greatest=greatest_stack(figures)), stack_table(figures),
+             COUNT_TEXT, count_table(figures),
+             RAM_TEXT, ram_table(figures)]
+    if names(figures, "image"):
+        parts += [IMAGE_TEXT, image_table(figures)]
+    return "\n\n".join(parts) + "\n"

@@ -1,0 +1,62 @@
+// Prints the name and the digest of every scenario, and at last one digest over all of them.
+#include "digest.hpp"
+#include "memory.hpp"
+#include "platform.hpp"
+#include "scenarios.hpp"
+
+namespace osem::cross {
+
+using port::print;
+using port::print_hexadecimal;
+
+namespace {
+
+constexpr Scenario scenarios[] = {
+    {"frame_mapping", frame_mapping},
+    {"classified_faces", classified_faces},
+    {"refused_solids", refused_solids},
+    {"plate_conservative", plate_conservative},
+    {"plate_centre", plate_centre},
+    {"octahedron_deep", octahedron_deep},
+    {"shells_by_winding", shells_by_winding},
+    {"soups", soups},
+    {"unit_leaves", unit_leaves},
+    {"small_steps", small_steps},
+    {"small_pools", small_pools},
+    {"booleans_conservative", booleans_conservative},
+    {"booleans_centre", booleans_centre},
+    {"shared_operands", shared_operands},
+    {"compaction", compaction},
+    {"stream_bytes", stream_bytes},
+    {"damaged_streams", damaged_streams},
+    {"point_queries", point_queries},
+    {"box_queries", box_queries},
+    {"measures_and_leaves", measures_and_leaves},
+};
+
+void print_line(const char* name, std::uint64_t digest) {
+    print(name);
+    print(" ");
+    print_hexadecimal(digest);
+    print("\n");
+}
+
+void run() {
+    Digest all;
+    for (const Scenario& scenario : scenarios) {
+        pool.roll_back(0);
+        const std::uint64_t digest = scenario.digest();
+        print_line(scenario.name, digest);
+        all.add(digest);
+    }
+    print_line("all", all.value());
+}
+
+} // namespace
+
+} // namespace osem::cross
+
+int main() {
+    osem::cross::run();
+    return 0;
+}

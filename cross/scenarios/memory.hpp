@@ -1,0 +1,28 @@
+// The memory that all scenarios work in: so little that a part with 16 KB of RAM runs every one of them.
+#ifndef OSEM_SCENARIOS_MEMORY_HPP
+#define OSEM_SCENARIOS_MEMORY_HPP
+
+#include "osem/osem.hpp"
+
+namespace osem::cross {
+
+constexpr std::uint32_t pool_capacity = 1150;
+constexpr std::uint32_t most_corners = 64;
+constexpr std::uint32_t most_vertices = 40;
+
+/// A pool that every scenario finds empty.
+extern NodePool& pool;
+extern Conversion conversion;
+extern Combination combination;
+extern StreamReader reader;
+
+/// Checks and converts a solid of at most most_corners corners and 32 faces into the pool, or, without one,
+/// counts. What check refuses comes back as its status.
+TreeOutcome converted(const Solid& solid, const ConvertOptions& options, NodePool* into = &pool);
+
+/// Scratch of check, and of the fault scenarios for their own use.
+extern Edge edges[most_corners];
+
+} // namespace osem::cross
+
+#endif

@@ -1,0 +1,85 @@
+// Scenarios of what is asked of a tree.
+#include <initializer_list>
+
+#include "scenarios.hpp"
+#include "solids.hpp"
+
+namespace osem::cross {
+
+namespace {
+
+Octree plate_tree() {
+    ConvertOptions options;
+    options.depth = 4;
+    return converted(plate(), options).tree;
+}
+
+Point any_cell(Random& random) {
+    const std::int32_t x = random.below(root_side);
+    const std::int32_t y = random.below(root_side);
+    const std::int32_t z = random.below(root_side);
+    return Point{{x, y, z}};
+}
+
+void add(Digest& digest, const Leaf& leaf) {
+    for (const std::int32_t coordinate : leaf.octant.corner.at) digest.add(coordinate);
+    digest.add(leaf.octant.level);
+    digest.add(leaf.colour);
+}
+
+} // namespace
+
+std::uint64_t point_queries() {
+    Digest digest;
+    const Octree tree = plate_tree();
+    Random random(21);
+    for (int i = 0; i < 1000; ++i) {
+        Point cell = any_cell(random);
+        if (i % 50 == 0) cell.at[i % 3] = i % 100 == 0 ? -1 : root_side;
+        const PointOutcome outcome = leaf_at(tree, cell);
+        digest.add(outcome.status);
+        if (outcome.status != Status::ok) continue;
+        add(digest, outcome.leaf);
+        digest.add(outcome.visited);
+    }
+    return digest.value();
+}
+
+// Boxes of all sizes, many of them with a side in a plane of leaves.
+std::uint64_t box_queries() {
+    Digest digest;
+    const Octree tree = plate_tree();
+    Random random(22);
+    for (int i = 0; i < 1000; ++i) {
+        CellBox box = {any_cell(random), any_cell(random)};
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t side = root_side >> random.below(8);
+            if (i % 2 == 0) box.low.at[axis] &= -side;
+            if (i % 3 == 0) box.high.at[axis] = box.low.at[axis] + random.below(3) * side / 2;
+        }
+        const BoxOutcome outcome = colours_in(tree, box);
+        digest.add(outcome.status);
+        digest.add(outcome.colours);
+        digest.add(outcome.touches);
+        digest.add(outcome.visited);
+    }
+    return digest.value();
+}
+
+std::uint64_t measures_and_leaves() {
+    Digest digest;
+    const Octree tree = plate_tree();
+    const Measures m = measure(tree);
+    for (const std::uint64_t number :
+         {m.nodes, m.white_leaves, m.black_leaves, m.boundary_leaves, m.inner_volume, m.outer_volume}) {
+        digest.add(number);
+    }
+    LeafWalk walk(tree);
+    for (Leaf leaf = {}; walk.next(leaf);) add(digest, leaf);
+    const Octree again = plate_tree(); // the same leaves in other nodes
+    digest.add(same_leaves(tree, again));
+    digest.add(same_leaves(tree, complement(combination, again, pool).tree));
+    return digest.value();
+}
+
+} // namespace osem::cross

@@ -1,0 +1,47 @@
+// The fixed list of scenarios whose digests are pinned in cross/digests.txt. Each one is a pure function of
+// the kernel: the same digest on every architecture, from every compiler, at every optimisation level.
+#ifndef OSEM_SCENARIOS_HPP
+#define OSEM_SCENARIOS_HPP
+
+#include <cstdint>
+
+namespace osem::cross {
+
+struct Scenario {
+    const char* name;
+    std::uint64_t (*digest)();
+};
+
+// predicates.cpp
+std::uint64_t frame_mapping();
+std::uint64_t classified_faces();
+std::uint64_t refused_solids();
+
+// conversions.cpp
+std::uint64_t plate_conservative();
+std::uint64_t plate_centre();
+std::uint64_t octahedron_deep();
+std::uint64_t shells_by_winding();
+std::uint64_t soups();
+std::uint64_t unit_leaves();
+std::uint64_t small_steps();
+std::uint64_t small_pools();
+
+// booleans.cpp
+std::uint64_t booleans_conservative();
+std::uint64_t booleans_centre();
+std::uint64_t shared_operands();
+std::uint64_t compaction();
+
+// streams.cpp
+std::uint64_t stream_bytes();
+std::uint64_t damaged_streams();
+
+// queries.cpp
+std::uint64_t point_queries();
+std::uint64_t box_queries();
+std::uint64_t measures_and_leaves();
+
+} // namespace osem::cross
+
+#endif

@@ -1,0 +1,91 @@
+// Scenarios of streams.
+#include "scenarios.hpp"
+#include "solids.hpp"
+
+namespace osem::cross {
+
+namespace {
+
+// A sink that keeps what fits and digests everything.
+struct Bytes {
+    std::uint8_t kept[600];
+    std::size_t count;
+    Digest digest;
+};
+
+bool take(void* context, const std::uint8_t* bytes, std::size_t count) {
+    Bytes& to = *static_cast<Bytes*>(context);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (to.count < sizeof to.kept) to.kept[to.count] = bytes[i];
+        ++to.count;
+        to.digest.add_byte(bytes[i]);
+    }
+    return true;
+}
+
+Bytes bytes;
+
+// The bits of the binary64 numbers -1.5, 0, 1 and 0.1: the kernel carries them unread.
+constexpr std::uint64_t frame_words[4] = {0xbff8000000000000U, 0, 0x3ff0000000000000U, 0x3fb999999999999aU};
+
+Status write(const Octree& tree) {
+    StreamHeader header = {};
+    for (int i = 0; i < 4; ++i) header.frame[i] = frame_words[i];
+    bytes.count = 0;
+    bytes.digest = Digest();
+    return write_stream(tree, header, Sink{take, &bytes});
+}
+
+void add(Digest& digest, const StreamOutcome& outcome) {
+    digest.add(outcome.built.status);
+    digest.add(outcome.built.nodes_needed);
+    digest.add(outcome.offset);
+    if (outcome.built.status == Status::ok) digest.add(osem::digest(outcome.built.tree));
+}
+
+StreamOutcome read_kept() {
+    reader.begin(&pool);
+    reader.feed(bytes.kept, bytes.count);
+    return reader.finish();
+}
+
+} // namespace
+
+std::uint64_t stream_bytes() {
+    Digest digest;
+    ConvertOptions options;
+    for (options.depth = 1; options.depth <= 5; ++options.depth) {
+        pool.roll_back(0);
+        digest.add(write(converted(octahedron(), options).tree));
+        digest.add(static_cast<std::uint64_t>(bytes.count));
+        digest.add(bytes.digest.value());
+        if (bytes.count > sizeof bytes.kept) continue;
+        add(digest, read_kept());
+        for (const std::uint64_t word : reader.header().frame) digest.add(word);
+    }
+    return digest.value();
+}
+
+// Every byte of a stream changed, and the stream cut off before it.
+std::uint64_t damaged_streams() {
+    Digest digest;
+    ConvertOptions options;
+    options.depth = 3;
+    write(converted(octahedron(), options).tree);
+    const std::size_t whole = bytes.count;
+    digest.add(static_cast<std::uint64_t>(whole));
+    for (std::size_t at = 0; at < whole; ++at) {
+        const std::uint8_t right = bytes.kept[at];
+        bytes.kept[at] = static_cast<std::uint8_t>(right ^ (1U << (at % 8)));
+        pool.roll_back(0);
+        add(digest, read_kept());
+        bytes.kept[at] = right;
+        bytes.count = at;
+        add(digest, read_kept());
+        digest.add(pool.used());
+        bytes.count = whole;
+    }
+    return digest.value();
+}
+
+} // namespace osem::cross
