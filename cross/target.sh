@@ -31,7 +31,7 @@ main=O2
 [ "${target#cortex-m}" = "$target" ] || main=Os
 levels=0
 for level in O0 O2 Os LTO; do
-    configure "$target" "$out/$level" "$level" -DOSEM_BUILD_TESTS=OFF -DOSEM_BUILD_TOOL=OFF > "$out/configure.log" 2>&1 ||
+    configure "$target" "$out/$level" "$level" > "$out/configure.log" 2>&1 ||
         fail "cannot configure $level"
     build "$out/$level" osem_scenarios
     run_on "$target" "$out/$level/cross/scenarios/osem_scenarios" > "$out/digests" || fail "scenarios end badly at $level"
@@ -49,7 +49,7 @@ eval "$(sed -n 's/^replay //p' "$out/replay" | tr ' ' '\n')" # cases=... failure
 tests=-
 case $target in
 armhf | s390x)
-    configure "$target" "$out/tests" O2 > "$out/configure.log" 2>&1 || fail "cannot configure the tests"
+    configure "$target" "$out/tests" O2 -DOSEM_BUILD_TESTS=ON -DOSEM_BUILD_TOOL=ON > "$out/configure.log" 2>&1 || fail "cannot configure the tests"
     build "$out/tests" osem_kernel_tests osem_mesh_tests osem_first_octree
     run_on "$target" "$out/tests/host_tests/readme/osem_first_octree" || fail "the README's program failed"
     tests=0

@@ -30,6 +30,7 @@ target_tool() {
 }
 
 # configure TARGET FOLDER LEVEL ARGUMENTS...: a build tree at an optimisation level: O0, O2, Os, or LTO.
+# Without tests and host tool, unless the arguments say otherwise.
 configure() {
     local target=$1 folder=$2 level=$3 flags=-$3 choice
     shift 3
@@ -38,8 +39,9 @@ configure() {
     x86_64-*) choice=(-DCMAKE_CXX_COMPILER="$(target_compiler "$target")") ;;
     *) choice=(--toolchain "$cross/toolchains/$target.cmake") ;;
     esac
-    cmake -S "$root" -B "$folder" "${choice[@]}" -DCMAKE_BUILD_TYPE="$level" -DCMAKE_CXX_FLAGS_"$level"="$flags" \
-        -DOSEM_BUILD_CROSS=ON -DOSEM_BUILD_ORACLE=OFF "$@"
+    cmake -S "$root" -B "$folder" --no-warn-unused-cli "${choice[@]}" -DCMAKE_BUILD_TYPE="$level" \
+        -DCMAKE_CXX_FLAGS_"$level"="$flags" -DOSEM_BUILD_CROSS=ON -DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_TESTS=OFF \
+        -DOSEM_BUILD_TOOL=OFF "$@"
 }
 
 # run_on TARGET PROGRAM ARGUMENTS...: runs a program of the target, under QEMU where it is not this machine's.

@@ -1,5 +1,5 @@
 set(OSEM_CPU cortex-m0)
 set(OSEM_BOARD microbit)
 set(OSEM_MACHINE microbit)
-set(OSEM_ARENA 9000)
+set(OSEM_ARENA 8192)
 include(${CMAKE_CURRENT_LIST_DIR}/bare_metal.cmake)
