@@ -6,6 +6,7 @@
 set -euo pipefail
 . "$(dirname "$0")/targets.sh"
 target=${1:-cortex-m0}
+require_target "$target"
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 read -ra compiler <<< "$(target_compiler "$target")"
@@ -66,7 +67,7 @@ for level in Os O2; do
         mkdir "$folder"
         for source in "$root"/kernel/src/*/*.cpp; do
             "${compiler[@]}" "${flags[@]}" "-$level" -DOSEM_NODE_INDEX_BITS=$index_bits -c "$source" \
-                -o "$folder/$(basename "$source" .cpp).o"
+                -o "$folder/$(basename "$(dirname "$source")")-$(basename "$source" .cpp).o"
         done
         echo "$target, -$level, $index_bits-bit indices (bytes: text data bss)"
         check_symbols "$folder"

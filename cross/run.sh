@@ -5,54 +5,69 @@
 set -euo pipefail
 . "$(dirname "$0")/targets.sh"
 . "$root/host_tests/packages.sh"
-build=${OSEM_BUILD_DIR:-$root/build}
+. "$root/host_tests/meshes.sh"
+build=$(realpath -m "${OSEM_BUILD_DIR:-$root/build}")
 out=$build/cross
 read -ra targets <<< "${*:-$all_targets}"
+for target in "${targets[@]}"; do require_target "$target"; done
 started=$SECONDS
 stage() { printf '\n== %s (%d s)\n' "$1" $((SECONDS - started)); }
 mkdir -p "$out"
+
+# build_host FOLDER PROGRAM...
+build_host() {
+    local folder=$1
+    shift
+    cmake --build "$folder" --parallel "$(nproc)" --target "$@" > "$out/host.log" 2>&1 || {
+        { grep -E 'error|Error' -A 5 "$out/host.log" || tail -n 20 "$out/host.log"; } | sed -n '1,40p' >&2
+        echo "cannot build $*" >&2
+        exit 1
+    }
+}
 
 stage "packages"
 install_packages cmake make g++ clang llvm lld libgtest-dev googletest libcgal-dev libgmp-dev libmpfr-dev libcli11-dev \
     libstb-dev libtinyobjloader-dev python3 qemu-user qemu-system-arm gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib \
     g++-arm-linux-gnueabihf g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-i686-linux-gnu g++-s390x-linux-gnu
-. "$root/host_tests/meshes.sh"
 OSEM_CGAL_DATA=$(unpack_meshes "$build")
 export OSEM_CGAL_DATA
 
 stage "vectors from CGAL"
 cmake -S "$root" -B "$build/gcc-release" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_CROSS=ON > /dev/null
-cmake --build "$build/gcc-release" --parallel "$(nproc)" --target osem_vectors osem_tool > "$out/vectors.log" 2>&1 || {
-    grep -E 'error|Error' -A 5 "$out/vectors.log" | head -n 40 >&2
-    exit 1
-}
+build_host "$build/gcc-release" osem_vectors osem_tool
+rm -rf "$out/vectors"
 mkdir -p "$out/vectors"
-"$build/gcc-release/cross/vectors/osem_vectors" "$out/vectors"
+"$build/gcc-release/cross/vectors/osem_vectors" "$out/vectors" | tee "$out/vectors/written.txt"
 
-# The example firmware runs natively first: what it prints here it must print on every part, and the tree that
-# it cuts is the one that the host tool cuts.
+# The example firmware runs natively first, and the tree that it cuts is the one that the host tool cuts.
 stage "firmware on this machine"
 export OSEM_TOOL=$build/gcc-release/port/host/osem
 configure x86_64-gcc "$out/firmware" O2 -DOSEM_TOOL="$OSEM_TOOL" > "$out/firmware.log"
-cmake --build "$out/firmware" --parallel "$(nproc)" --target osem_stock_removal osem_keep_out >> "$out/firmware.log"
+build_host "$out/firmware" osem_stock_removal osem_keep_out
 for example in stock_removal keep_out; do
     "$out/firmware/port/cortex_m/examples/osem_$example" | tee "$out/$example.txt"
+    diff "$root/port/cortex_m/examples/$example.txt" "$out/$example.txt" >&2
 done
 for solid in bracket.poly cutter.off; do
     "$OSEM_TOOL" convert "$root/port/host/samples/$solid" --frame 0,0,0,128 --depth 6 -o "$out/${solid%.*}.osem"
 done
 "$OSEM_TOOL" difference "$out/bracket.osem" "$out/cutter.osem" -o "$out/cut.osem"
-[ "$(grep digest "$out/stock_removal.txt")" = "$("$OSEM_TOOL" info "$out/cut.osem" | grep digest)" ] || {
-    echo "the firmware cuts another tree than osem difference" >&2
+digest=$("$OSEM_TOOL" info "$out/cut.osem" | grep '^digest ')
+grep -q -x "$digest" "$out/stock_removal.txt" || {
+    echo "the firmware cuts another tree than osem difference, which has the $digest" >&2
     exit 1
 }
 
 stage "targets: ${targets[*]}"
-printf '%s\n' "${targets[@]}" | xargs -P "$(nproc)" -I {} "$cross/target.sh" {} "$out"
+rm -f "$out"/*/line
+printf '%s\n' "${targets[@]}" | xargs -P "$(nproc)" -I {} "$cross/target.sh" {} "$out" || {
+    for target in "${targets[@]}"; do [ -f "$out/$target/line" ] || echo "failed: $target" >&2; done
+    exit 1
+}
 
 if [ $# -eq 0 ]; then
     stage "resources"
-    "$cross/resources/measure.sh" --check
+    OSEM_BUILD_DIR=$build "$cross/resources/measure.sh" --check
 fi
 
 stage "all passed"

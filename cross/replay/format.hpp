@@ -21,8 +21,7 @@
 // an axis or a rule is the u8 of the kernel's enumeration (writer and reader are of the same sources):
 //
 //     solid        u32 vertices, corners, rings, faces; u8 1 with ring tables, else 0; the vertices as
-//     points;
-//                  the corners as u32; with ring tables rings + 1 and faces + 1 entries as u32
+//                  points; the corners as u32; with ring tables rings + 1 and faces + 1 entries as u32
 //     leaf         u8: 4 * level + colour
 //     tree         u32 nodes (the top included), u32 white, black and boundary leaves; u64 inner and outer
 //                  volume; u64 digest; u32 CRC-32 of the tree's stream with the frame of `stream_frame`;
@@ -30,8 +29,7 @@
 //     options      u8 depth, u8 leaf rule, u8 winding rule
 //
 //     orientation  two points a, b; a case is a point q and, for projection along x, y, z and the
-//     `diagonals`,
-//                  an i64: the value
+//                  `diagonals`, an i64: the value
 //     plane        solid of one face, u8 1 if its corners are collinear; a case is a point q and an i64: the
 //                  plane's value
 //     classify     solid of one face; a case is an octant (point, u8 level) and u8: bit 0 the face meets the

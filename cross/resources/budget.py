@@ -25,7 +25,7 @@ def write(figures):
 
 
 def compare(budget, figures):
-    """Lines on what is over the budget, and lines on what has become less."""
+    """Lines on what has left the budget, either way, and lines on what has become a little less."""
     faults, hints = [], []
     for name in sorted(budget.keys() | figures.keys()):
         if name not in figures:
@@ -35,7 +35,7 @@ def compare(budget, figures):
         else:
             allowed, value = budget[name], figures[name]
             line = f"{name}: {allowed} -> {value} ({value - allowed:+d})"
-            if 100 * value > (100 + TOLERANCE) * allowed:
+            if 100 * abs(value - allowed) > TOLERANCE * allowed:
                 faults.append(line)
             elif value < allowed:
                 hints.append(line)

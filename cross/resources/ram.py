@@ -27,4 +27,4 @@ def image_figures(name, image):
     """Flash, variables and the stack that the linker keeps free for it, as 'image/NAME/...'."""
     text, data, bss = (int(field) for field in run(["arm-none-eabi-size", image]).splitlines()[1].split()[:3])
     return {f"image/{name}/flash": text + data, f"image/{name}/variables": data + bss,
-            f"image/{name}/stack": symbol(image, "__stack_size")}
+            f"image/{name}/stack": symbol(image, "stack_size")}

@@ -37,6 +37,14 @@ def names(figures, kind):
     return sorted({name.split("/")[1] for name in figures if name.split("/")[0] == kind})
 
 
+def missed_targets(figures):
+    """What takes more than its target."""
+    bounds = {f"flash/{feature}/{name}/{bits}": bound
+              for (feature, name), bound in TARGETS.items() for bits in INDEX_BITS}
+    bounds |= {name: TARGET for name in figures if name.startswith("stack/")}
+    return [f"{name}: {figures[name]} of {bound}" for name, bound in bounds.items() if figures[name] > bound]
+
+
 def target_cell(figures, feature):
     """The target, and on which processor it is missed."""
     targets = {name: bound for (of, name), bound in TARGETS.items() if of == feature}

@@ -41,6 +41,9 @@ void print_line(const char* name, std::uint64_t digest) {
     print("\n");
 }
 
+// What start-up code has to set before main.
+volatile std::uint32_t initialised = 0x600df00d;
+
 void run() {
     Digest all;
     for (const Scenario& scenario : scenarios) {
@@ -57,6 +60,10 @@ void run() {
 } // namespace osem::cross
 
 int main() {
+    if (osem::cross::initialised != 0x600df00d) {
+        osem::port::print("the initialised variables were not set\n");
+        return 1;
+    }
     osem::cross::run();
     return 0;
 }

@@ -51,11 +51,17 @@ std::uint64_t box_queries() {
     const Octree tree = plate_tree();
     Random random(22);
     for (int i = 0; i < 1000; ++i) {
-        CellBox box = {any_cell(random), any_cell(random)};
+        // Near a leaf of the tree: inside it, up to its faces, a cell short of them, or past them.
+        const Octant leaf = leaf_at(tree, any_cell(random)).leaf.octant;
+        CellBox box = {leaf.corner, leaf.corner};
         for (int axis = 0; axis < 3; ++axis) {
-            const std::int32_t side = root_side >> random.below(8);
-            if (i % 2 == 0) box.low.at[axis] &= -side;
-            if (i % 3 == 0) box.high.at[axis] = box.low.at[axis] + random.below(3) * side / 2;
+            const std::int32_t side = leaf.side();
+            box.low.at[axis] += random.below(3) * side / 4 - (random.below(8) == 0 ? side : 0);
+            box.high.at[axis] +=
+                side + random.below(3) - 1 + (random.below(4) == 0 ? side * random.below(4) : 0);
+            if (i % 16 == 0) continue; // as it comes: empty or off the root
+            if (box.low.at[axis] < 0) box.low.at[axis] = 0;
+            if (box.high.at[axis] > root_side) box.high.at[axis] = root_side;
         }
         const BoxOutcome outcome = colours_in(tree, box);
         digest.add(outcome.status);

@@ -1,5 +1,7 @@
 #include "solids.hpp"
 
+#include <cstddef>
+
 namespace osem::cross {
 
 namespace {
@@ -24,7 +26,7 @@ int orientation_of(const Point* p) {
     for (int row = 0; row < 3; ++row) {
         for (int axis = 0; axis < 3; ++axis) d[row][axis] = p[row + 1].at[axis] - p[0].at[axis];
     }
-    // Sides below 2^18: products of three below 2^54.
+    // Differences are at most 2^20: six products of three of them stay below 2^63.
     const std::int64_t volume = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
                                 d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
                                 d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
@@ -90,7 +92,7 @@ Solid tetrahedra(std::uint32_t seed, const Point& low, std::int32_t side) {
                                                {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0}};
     constexpr std::uint32_t count = most_corners / 12;
     for (std::uint32_t t = 0; t < count; ++t) {
-        Point* p = built_vertices + 4 * t;
+        Point* p = &built_vertices[std::size_t{4} * t];
         for (int v = 0; v < 4; ++v) {
             for (int axis = 0; axis < 3; ++axis) p[v].at[axis] = low.at[axis] + random.below(side + 1);
         }

@@ -1,5 +1,5 @@
 set(OSEM_CPU cortex-m33)
 set(OSEM_BOARD mps2_an505)
 set(OSEM_MACHINE mps2-an505)
-set(OSEM_ARENA 3000000)
+set(OSEM_ARENA 65536)
 include(${CMAKE_CURRENT_LIST_DIR}/bare_metal.cmake)

@@ -103,7 +103,7 @@ class NodePool {
     constexpr NodePool(Node* memory, std::uint32_t capacity) : NodePool(memory, memory, capacity, 0) {}
 
     /// A read-only pool over `count` nodes, all in use; a greater count than max_capacity is clipped. append
-    /// answers pool_exhausted, compact pool_read_only, and roll_back does nothing.
+    /// answers pool_exhausted, compact pool_read_only if there is a node, and roll_back does nothing.
     static constexpr NodePool over(const Node* nodes, std::uint32_t count) {
         return NodePool(nodes, nullptr, count, count);
     }

@@ -56,7 +56,8 @@ std::int32_t open(const char* path) { return static_cast<std::int32_t>(open_file
 
 std::size_t read(std::int32_t handle, std::uint8_t* bytes, std::size_t count) {
     const std::uint32_t block[] = {static_cast<std::uint32_t>(handle), address(bytes), count};
-    return count - call(sys_read, address(block)); // the call says how many are missing
+    const std::uint32_t missing = call(sys_read, address(block)); // all bits set: an error
+    return missing < count ? count - missing : 0;
 }
 
 void close(std::int32_t handle) {

@@ -5,47 +5,29 @@
 #include "semihosting.hpp"
 
 extern "C" {
-extern std::uint32_t __data_load[], __data_start[], __data_end[]; // NOLINT(bugprone-reserved-identifier)
-extern std::uint32_t __bss_start[], __bss_end[];                  // NOLINT(bugprone-reserved-identifier)
-extern std::uint32_t __stack_top[];                               // NOLINT(bugprone-reserved-identifier)
-extern void (*__init_array_start[])();                            // NOLINT(bugprone-reserved-identifier)
-extern void (*__init_array_end[])();                              // NOLINT(bugprone-reserved-identifier)
+extern std::uint32_t data_load[], data_start[], data_end[];
+extern std::uint32_t bss_start[], bss_end[];
+extern std::uint32_t stack_top[];
+extern void (*init_array_start[])();
+extern void (*init_array_end[])();
 
 int main(int argc, char** argv);
+/// The arguments of main; only in programs that link command_line.cpp, for the words take RAM.
+__attribute__((weak)) int read_command_line(char*** arguments);
 [[noreturn]] void reset();
 [[noreturn]] void fault();
 }
 
-namespace {
-
-constexpr int most_arguments = 12;
-char words[512];
-char* arguments[most_arguments + 1];
-
-// Cuts the command line at its spaces.
-int split_command_line() {
-    int count = 0;
-    if (!osem::cortex_m::command_line(words, sizeof words)) return count;
-    char* at = words;
-    while (count < most_arguments) {
-        while (*at == ' ') *at++ = '\0';
-        if (*at == '\0') break;
-        arguments[count++] = at;
-        while (*at != ' ' && *at != '\0') ++at;
-    }
-    return count;
-}
-
-} // namespace
-
 void reset() {
-    const std::uint32_t* from = __data_load;
-    for (std::uint32_t* to = __data_start; to != __data_end;) *to++ = *from++;
-    for (std::uint32_t* to = __bss_start; to != __bss_end;) *to++ = 0;
-    for (void (**constructor)() = __init_array_start; constructor != __init_array_end; ++constructor) {
+    const std::uint32_t* from = data_load;
+    for (std::uint32_t* to = data_start; to != data_end;) *to++ = *from++;
+    for (std::uint32_t* to = bss_start; to != bss_end;) *to++ = 0;
+    for (void (**constructor)() = init_array_start; constructor != init_array_end; ++constructor) {
         (*constructor)();
     }
-    osem::cortex_m::exit(main(split_command_line(), arguments));
+    char** arguments = nullptr;
+    const int count = read_command_line != nullptr ? read_command_line(&arguments) : 0;
+    osem::cortex_m::exit(main(count, arguments));
 }
 
 // Every exception that no program expects; 70 tells it from a program's own exit codes.
@@ -62,6 +44,6 @@ struct Vectors {
 
 extern const Vectors vectors;
 __attribute__((section(".vectors"), used))
-const Vectors vectors = {__stack_top,
+const Vectors vectors = {stack_top,
                          {reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
                           fault, fault, fault}};
