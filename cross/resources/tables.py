@@ -137,7 +137,7 @@ COUNT_TEXT = """\
 Instructions, counted by QEMU in steps of 40, with 32-bit indices. (The M0's code runs on the model of a
 Cortex-M3, whose memory is large enough.)"""
 RAM_TEXT = "RAM, in bytes, the same on both processors."
-IMAGE_TEXT = "Whole images, in bytes."
+IMAGE_TEXT = "The example firmware, whole images in bytes (Cortex-M0, 16-bit indices)."
 
 
 def document(figures):
