@@ -41,9 +41,9 @@ check_symbols() {
 check_sizes() {
     "$size" "$1"/*.o | awk -v out="$1/" '
         NR > 1 { sub(out, "", $6); printf "  %6d %4d %4d  %s\n", $1, $2, $3, $6
-                 text += $1; writable += $2 + $3 }
-        END { printf "  %6d             whole kernel\n", text
-              if (writable > 0) { print "freestanding: the kernel has writable data" > "/dev/stderr"; exit 1 } }'
+                 text += $1
+                 if ($2 + $3 > 0) { print "freestanding: " $6 " has writable data" > "/dev/stderr"; bad = 1 } }
+        END { printf "  %6d             whole kernel\n", text; exit bad }'
 }
 
 # Recursion would be a cycle among the call graph's edges: tsort names one, but takes a call of oneself for
@@ -51,11 +51,12 @@ check_sizes() {
 check_recursion() {
     cat "$1"/*.ci | sed -n 's/^edge: { sourcename: "\([^"]*\)" targetname: "\([^"]*\)".*/\1 \2/p' |
         sort -u > "$1/calls"
-    if awk '$1 == $2 { print "freestanding: recursion: " $1 > "/dev/stderr"; found = 1 } END { exit !found }' "$1/calls"; then
+    if awk '$1 == $2 { print "freestanding: recursion: " $1; found = 1 } END { exit !found }' "$1/calls" |
+        c++filt >&2; then
         exit 1
     fi
     if ! tsort "$1/calls" > /dev/null 2> "$1/cycle"; then
-        echo "freestanding: recursion: $(tr '\n' ' ' < "$1/cycle")" >&2
+        echo "freestanding: recursion: $(tr '\n' ' ' < "$1/cycle" | c++filt)" >&2
         exit 1
     fi
     echo "  $(wc -l < "$1/calls") calls, no cycle"

@@ -53,7 +53,7 @@ for level in O0 O2 Os LTO; do
     prepare "$out/$level" "$level"
     build "$out/$level" osem_scenarios
     run_on "$target" "$out/$level/cross/scenarios/osem_scenarios" > "$out/digests" || fail "the scenarios end badly at $level"
-    diff "$cross/digests.txt" "$out/digests" >&2 || fail "other digests than cross/digests.txt at $level"
+    diff -u --label pinned --label "on $target" "$cross/digests.txt" "$out/digests" >&2 || fail "other digests than cross/digests.txt at $level"
     levels=$((levels + 1))
 done
 
@@ -106,8 +106,11 @@ cortex-m*)
     prepare "$out/firmware" Os -DOSEM_TOOL="$OSEM_TOOL" -DOSEM_NODE_INDEX_BITS=16
     for example in stock_removal keep_out; do
         build "$out/firmware" "osem_$example"
-        run_on "$target" "$out/firmware/port/cortex_m/examples/osem_$example" > "$out/$example.txt" || fail "$example ends badly"
-        diff "$root/port/cortex_m/examples/$example.txt" "$out/$example.txt" >&2 || fail "$example prints something else"
+        run_on "$target" "$out/firmware/port/cortex_m/examples/osem_$example" > "$out/$example.txt" || {
+            cat "$out/$example.txt" >&2
+            fail "$example ends badly"
+        }
+        diff -u --label pinned --label "on $target" "$root/port/cortex_m/examples/$example.txt" "$out/$example.txt" >&2 || fail "$example prints something else"
     done
     firmware=same
     ;;

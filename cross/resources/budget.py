@@ -34,7 +34,8 @@ def compare(budget, figures):
             faults.append(f"{name}: {figures[name]}, not in the budget")
         else:
             allowed, value = budget[name], figures[name]
-            line = f"{name}: {allowed} -> {value} ({value - allowed:+d})"
+            percent = 100 * (value - allowed) / allowed if allowed else 100
+            line = f"{name}: {allowed} -> {value} ({value - allowed:+d}, {percent:+.1f} %, at most {TOLERANCE} %)"
             if 100 * abs(value - allowed) > TOLERANCE * allowed:
                 faults.append(line)
             elif value < allowed:

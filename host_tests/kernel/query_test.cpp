@@ -56,7 +56,10 @@ TEST(PointQuery, RefusesPointsOffTheRoot) {
         for (const std::int32_t bad : {-1, INT32_MIN, root_side, root_side + 1, INT32_MAX}) {
             Point p = {{0, 0, 0}};
             p.at[axis] = bad;
-            EXPECT_EQ(leaf_at(tree, p).status, Status::point_off_root);
+            const PointOutcome outside = leaf_at(tree, p);
+            EXPECT_EQ(outside.status, Status::point_off_root);
+            // Whoever forgets the status errs on the safe side.
+            EXPECT_EQ(outside.leaf.colour, Colour::boundary);
         }
     }
     EXPECT_EQ(leaf_at(tree, Point{{0, 0, 0}}).status, Status::ok);

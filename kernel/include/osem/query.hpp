@@ -17,7 +17,7 @@ namespace osem {
 /// Outcome of a point query.
 struct PointOutcome {
     Status status;
-    Leaf leaf;             ///< the leaf that holds the point's cell
+    Leaf leaf;             ///< the leaf that holds the point's cell; when not ok the root octant, as boundary
     std::uint32_t visited; ///< nodes visited, at most the tree's depth
 };
 
@@ -56,9 +56,10 @@ struct BoxOutcome {
 /// tree of conservative leaves all(white) says that the box's interior is outside the solid, all(black) that
 /// the box is inside it.
 ///
-/// Status: ok; point_off_root when a bound is outside [0, 2^20]; box_empty when low >= high along an axis.
-/// Cost: O(nodes visited), which are at most those whose octant has a cell in the box grown by one cell on
-/// each side; the walk ends as soon as the answer cannot change. Stack: one pointer and one byte a level.
+/// Status: ok; point_off_root when a bound is outside [0, 2^20] (such a box is refused, not clipped);
+/// box_empty when low >= high along an axis. Cost: O(nodes visited), which are at most those whose octant has
+/// a cell in the box grown by one cell on each side; the walk ends as soon as the answer cannot change.
+/// Stack: one pointer and one byte a level.
 BoxOutcome colours_in(const Octree& tree, const CellBox& box);
 
 } // namespace osem

@@ -5,7 +5,7 @@
 namespace osem {
 
 PointOutcome leaf_at(const Octree& tree, const Point& cell) {
-    PointOutcome outcome = {Status::point_off_root, Leaf{root_octant, Colour::white}, 0};
+    PointOutcome outcome = {Status::point_off_root, Leaf{root_octant, Colour::boundary}, 0};
     for (const std::int32_t coordinate : cell.at) {
         if (coordinate < 0 || coordinate >= root_side) return outcome;
     }

@@ -73,7 +73,7 @@ void ask_point(const osem::Octree& tree, std::int32_t x, std::int32_t y, std::in
     const osem::PointOutcome at = osem::leaf_at(tree, osem::Point{{x * mm, y * mm, z * mm}});
     print(where);
     print(": ");
-    print(name_of(at.leaf.colour));
+    print(at.status == osem::Status::ok ? name_of(at.leaf.colour) : osem::describe(at.status));
     print("\n");
 }
 
