@@ -5,7 +5,7 @@ from pathlib import Path
 
 from processors import run
 
-SCOPE = re.compile(r"\bnamespace\s+(\w+)|(?<!enum )\b(class|struct)\s+(\w+)")
+SCOPE = re.compile(r"\bnamespace\s+(\w+)|(?<!enum )\b(class|struct)\s+(?:OSEM_\w+\s+)?(\w+)")
 ACCESS = re.compile(r"\b(public|protected|private)\s*:(?!:)")
 DECLARED = re.compile(r"(\w+)\s*\((?!\s*\*)")
 
@@ -70,4 +70,5 @@ def readable_names(symbols):
     """Maps symbols to names without the namespace, such as Conversion::step."""
     symbols = sorted(symbols)
     names = run(["arm-none-eabi-c++filt", *symbols]).splitlines()
+    names = [re.sub(r"\[abi:\w+\]", "", name) for name in names]
     return {symbol: name.split("(")[0].removeprefix("osem::") for symbol, name in zip(symbols, names)}

@@ -3,5 +3,7 @@
 
 #include "osem/boolean.hpp"
 
+extern "C" {
 auto booleans_roots =
     roots_of(&osem::Combination::begin, &osem::Combination::step, &osem::Combination::finish);
+}

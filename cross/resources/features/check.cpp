@@ -3,4 +3,6 @@
 
 #include "osem/solid.hpp"
 
+extern "C" {
 auto check_roots = roots_of(&osem::check);
+}

@@ -3,5 +3,7 @@
 
 #include "osem/convert.hpp"
 
+extern "C" {
 auto conversion_roots =
     roots_of(&osem::Conversion::begin, &osem::Conversion::step, &osem::Conversion::finish);
+}

@@ -3,4 +3,6 @@
 
 #include "osem/query.hpp"
 
+extern "C" {
 auto query_roots = roots_of(&osem::leaf_at, &osem::colours_in);
+}

@@ -1,5 +1,6 @@
 // What a feature is: the functions that a program of that feature calls. The feature's program is only a
-// table of their addresses, and the linker keeps what the table reaches.
+// table of their addresses, and the linker keeps what the table reaches. The table is named as in C, so that
+// the linker is told the same name whatever the types in it.
 #ifndef OSEM_CROSS_FEATURES_ROOTS_HPP
 #define OSEM_CROSS_FEATURES_ROOTS_HPP
 

@@ -8,6 +8,14 @@
 #define OSEM_NODE_INDEX_BITS 32
 #endif
 
+// Marks the types whose layout depends on that width, so that a program of files with different widths does
+// not link (GCC and Clang).
+#if OSEM_NODE_INDEX_BITS == 16 && defined(__GNUC__)
+#define OSEM_OF_INDEX_WIDTH __attribute__((abi_tag("index16")))
+#else
+#define OSEM_OF_INDEX_WIDTH
+#endif
+
 // Contract check: a false condition is a bug in the caller, never bad data. Expands to nothing unless the
 // program defines it, for example as its own trap or as the hosted assert.
 #ifndef OSEM_ASSERT

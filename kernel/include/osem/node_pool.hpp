@@ -25,7 +25,7 @@ enum class Colour : std::uint8_t { white = 0, boundary = 1, grey = 2, black = 3 
 /// that it is solid throughout; a bit in `must` alone marks a grey child, whose node stands in the pool. The
 /// grey children of a node stand together in ascending order of k; `first` is the index of the first.
 /// Nodes are 6 bytes (4 with 16-bit indices) and need an alignment of 2.
-struct Node {
+struct OSEM_OF_INDEX_WIDTH Node {
     std::uint8_t may;
     std::uint8_t must;
     std::uint16_t first_low; ///< the index, split so that a node needs no padding
@@ -94,7 +94,7 @@ constexpr unsigned count_bits(std::uint8_t mask) {
 ///     constexpr osem::Node nodes[] = {...};
 ///     constexpr osem::NodePool pool = osem::NodePool::over(nodes, 3);
 ///     constexpr osem::Octree zone = {&pool, osem::Node::of(0x0f, 0x10, 2), 4};
-class NodePool {
+class OSEM_OF_INDEX_WIDTH NodePool {
   public:
     /// The greatest usable capacity; a larger one is clipped. One index is kept free as a sentinel.
     static constexpr std::uint32_t max_capacity = static_cast<NodeIndex>(~NodeIndex{0});

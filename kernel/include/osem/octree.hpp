@@ -15,7 +15,7 @@ namespace osem {
 /// node has eight equal leaf children, so two trees of one function are equal node for node.
 ///
 /// Only the top node may be uniform; the root octant is then of that one colour.
-struct Octree {
+struct OSEM_OF_INDEX_WIDTH Octree {
     const NodePool* pool;
     Node top;
     std::uint8_t depth; ///< the depth it was built to; no leaf is smaller than root_side >> depth

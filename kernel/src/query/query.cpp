@@ -5,9 +5,11 @@
 namespace osem {
 
 PointOutcome leaf_at(const Octree& tree, const Point& cell) {
-    PointOutcome outcome = {Status::point_off_root, Leaf{root_octant, Colour::boundary}, 0};
+    PointOutcome outcome = {Status::point_off_root, Leaf{root_octant, Colour::white}, 0};
     for (const std::int32_t coordinate : cell.at) {
-        if (coordinate < 0 || coordinate >= root_side) return outcome;
+        if (coordinate >= 0 && coordinate < root_side) continue;
+        outcome.leaf.colour = Colour::boundary; // whoever forgets the status errs on the safe side
+        return outcome;
     }
     outcome.status = Status::ok;
     Leaf& leaf = outcome.leaf;
