@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::uint32_t seeds = 60;
 
-// Grids of depth 1 to 4, of two or three colours.
-DenseGrid grid_of(std::uint32_t seed) {
-    return random_grid(1 + static_cast<int>(seed % 4), seed, seed % 3 == 0 ? two_colours : three_colours);
-}
-
 TEST(Octree, LeafQueriesGiveTheGridBack) {
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
         const DenseGrid grid = grid_of(seed);

@@ -99,6 +99,10 @@ DenseGrid random_grid(int depth, std::uint32_t seed, const std::vector<Colour>& 
     return grid;
 }
 
+DenseGrid grid_of(std::uint32_t seed) {
+    return random_grid(1 + static_cast<int>(seed % 4), seed, seed % 3 == 0 ? two_colours : three_colours);
+}
+
 DenseGrid refined(const DenseGrid& grid, int depth) {
     DenseGrid fine(depth);
     const std::size_t ratio = fine.size() / grid.size();

@@ -60,6 +60,9 @@ extern const std::vector<Colour> three_colours; ///< and boundary
 /// A grid of random blocks of all sizes, the same for the same seed on every machine.
 DenseGrid random_grid(int depth, std::uint32_t seed, const std::vector<Colour>& palette);
 
+/// A random grid of depth 1 to 4 and of two or three colours, all chosen by the seed.
+DenseGrid grid_of(std::uint32_t seed);
+
 /// The same colours on smaller cells.
 DenseGrid refined(const DenseGrid& grid, int depth);
 
