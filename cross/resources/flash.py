@@ -5,9 +5,11 @@ import re
 from kernel_build import compile_source
 from processors import COMPILER, RESOURCES, Failure, run
 
-# Each program has its own functions and those of the features before it. The last one is the whole kernel.
+# Each program has its own functions and those of the features before it.
 FEATURES = ("query", "booleans", "conversion", "check")
-WHOLE = "all"
+# Each program has its own functions only.
+ALONE = ()
+WHOLE = "all"  # every function of the kernel
 
 # Bytes of the kernel's own flash that a program may take on any processor, or on the one named.
 TARGETS = {("query", "M0"): 1536, ("query", "M4"): 1536, ("conversion", "M4"): 6144}
@@ -56,11 +58,10 @@ def link_whole_kernel(build):
 def figures(build, whole_image):
     """Names and bytes, as 'flash/FEATURE/PROCESSOR/WIDTH' and 'helpers/...'."""
     images = {}
-    programs = []
-    for feature in FEATURES:
-        source = RESOURCES / "features" / f"{feature}.cpp"
-        programs.append(compile_source(build, source, build.directory / "features" / f"{feature}.o"))
-        names = FEATURES[: len(programs)]
+    for feature in (*FEATURES, *ALONE):
+        names = FEATURES[: FEATURES.index(feature) + 1] if feature in FEATURES else (feature,)
+        programs = [compile_source(build, RESOURCES / "features" / f"{name}.cpp",
+                                   build.directory / "features" / f"{name}.o") for name in names]
         # The kernel comes first: an inline function that both hold is then the kernel's.
         images[feature] = link(build, feature, [*build.objects, *programs], root_options(names))
     images[WHOLE] = whole_image

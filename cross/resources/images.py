@@ -51,9 +51,9 @@ def check_painted(processor, bounds, measured):
     """A painted stack above its bound means that the bound is wrong."""
     for name in sorted(bounds.keys() | measured.keys()):
         if name not in measured:
-            raise Failure(f"the stack of {name} is not measured by stack_paint.cpp")
+            raise Failure(f"the stack of {name} is not measured by cross/resources/paint")
         if name not in bounds:
-            raise Failure(f"stack_paint.cpp measures {name}, which is no public function")
+            raise Failure(f"cross/resources/paint measures {name}, which is no public function")
         if measured[name] > bounds[name]:
             raise Failure(f"{name} took {measured[name]} bytes of stack on the {processor.cpu}, "
                           f"over its bound of {bounds[name]}")

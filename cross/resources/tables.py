@@ -1,6 +1,6 @@
 """The figures as Markdown."""
 
-from flash import FEATURES, TARGETS, WHOLE
+from flash import ALONE, FEATURES, TARGETS, WHOLE
 from processors import INDEX_BITS, PROCESSORS
 from stack_bound import CALLS_BACK, TARGET
 
@@ -62,7 +62,7 @@ def flash_table(figures):
     heads += [f"{processor.name}, {bits}-bit" for processor in PROCESSORS for bits in INDEX_BITS]
     heads += [f"helpers, {processor.name}" for processor in PROCESSORS] + ["target"]
     rows = []
-    for feature in (*FEATURES, WHOLE):
+    for feature in (*FEATURES, *ALONE, WHOLE):
         cells = [FEATURE_TEXTS[feature]]
         cells += [figures[f"flash/{feature}/{processor.name}/{bits}"]
                   for processor in PROCESSORS for bits in INDEX_BITS]
@@ -128,8 +128,9 @@ def greatest_stack(figures):
 
 
 FLASH_TEXT = """\
-Flash, in bytes of code and constants at `-Os`; each row includes those above it. Helpers are what comes beside
-it from the compiler's library and newlib's small C library: 64-bit arithmetic, `memcpy`, `memset`."""
+Flash, in bytes of code and constants at `-Os`; a row that begins with "and" includes those above it, another one
+stands for a program of nothing else. Helpers are what comes beside it from the compiler's library and newlib's
+small C library: 64-bit arithmetic, `memcpy`, `memset`."""
 STACK_TEXT = """\
 Worst-case stack, in bytes, a function's own saved registers included. The bound is the longest path in the call
 graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest}."""

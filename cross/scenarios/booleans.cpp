@@ -22,6 +22,7 @@ void add(Digest& digest, const TreeOutcome& outcome) {
 // All operators both ways, each result given back at once.
 void add_combinations(Digest& digest, const Octree& a, const Octree& b) {
     const std::uint32_t mark = pool.used();
+    auto& combination = fresh<Combination>();
     for (const Operator op : operators) {
         add(digest, combine(combination, op, a, b, pool));
         digest.add(combination.nodes_visited());
@@ -65,7 +66,7 @@ std::uint64_t shared_operands() {
     const Octree a = converted(octahedron(), options).tree;
     options.depth = 3;
     const Octree b = converted(plate(), options).tree;
-    const Octree both = combine(combination, Operator::intersect, a, b, pool).tree;
+    const Octree both = combine(fresh<Combination>(), Operator::intersect, a, b, pool).tree;
     add_combinations(digest, a, a);
     add_combinations(digest, a, both);
     add_combinations(digest, b, both);
@@ -83,7 +84,7 @@ std::uint64_t compaction() {
     options.depth = 3;
     const Octree a = converted(plate(), options).tree;
     const Octree b = converted(tetrahedra(300, Point{{0, 0, 0}}, root_side), options).tree;
-    Octree kept[] = {combine(combination, Operator::unite, a, b, pool).tree, a};
+    Octree kept[] = {combine(fresh<Combination>(), Operator::unite, a, b, pool).tree, a};
     std::uint32_t marks[compact_scratch(pool_capacity)];
     digest.add(pool.used());
     digest.add(compact(pool, kept, 2, marks, compact_scratch(pool_capacity)));

@@ -11,8 +11,7 @@ std::uint32_t faces[32];
 
 NodePool& pool = nodes;
 Conversion conversion;
-Combination combination;
-StreamReader reader;
+alignas(8) unsigned char workspace[workspace_size];
 Edge edges[most_corners];
 
 TreeOutcome converted(const Solid& solid, const ConvertOptions& options, NodePool* into) {

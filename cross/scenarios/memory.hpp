@@ -2,6 +2,9 @@
 #ifndef OSEM_SCENARIOS_MEMORY_HPP
 #define OSEM_SCENARIOS_MEMORY_HPP
 
+#include <cstddef>
+#include <new>
+
 #include "osem/osem.hpp"
 
 namespace osem::cross {
@@ -13,8 +16,17 @@ constexpr std::uint32_t most_vertices = 40;
 /// A pool that every scenario finds empty.
 extern NodePool& pool;
 extern Conversion conversion;
-extern Combination combination;
-extern StreamReader reader;
+
+/// Where every other job lives, one at a time.
+constexpr std::size_t workspace_size = 3072;
+extern unsigned char workspace[workspace_size];
+
+/// A new job, or scratch of any plain type, in the workspace; what stood there before is gone.
+template <class Job>
+Job& fresh() {
+    static_assert(sizeof(Job) <= workspace_size && alignof(Job) <= 8, "has to fit the workspace");
+    return *new (workspace) Job();
+}
 
 /// Checks and converts a solid of at most most_corners corners and 32 faces into the pool, or, without one,
 /// counts. What check refuses comes back as its status.

@@ -84,7 +84,7 @@ std::uint64_t measures_and_leaves() {
     for (Leaf leaf = {}; walk.next(leaf);) add(digest, leaf);
     const Octree again = plate_tree(); // the same leaves in other nodes
     digest.add(same_leaves(tree, again));
-    digest.add(same_leaves(tree, complement(combination, again, pool).tree));
+    digest.add(same_leaves(tree, complement(fresh<Combination>(), again, pool).tree));
     return digest.value();
 }
 

@@ -43,7 +43,7 @@ void add(Digest& digest, const StreamOutcome& outcome) {
     if (outcome.built.status == Status::ok) digest.add(osem::digest(outcome.built.tree));
 }
 
-StreamOutcome read_kept() {
+StreamOutcome read_kept(StreamReader& reader) {
     reader.begin(&pool);
     reader.feed(bytes.kept, bytes.count);
     return reader.finish();
@@ -53,6 +53,7 @@ StreamOutcome read_kept() {
 
 std::uint64_t stream_bytes() {
     Digest digest;
+    auto& reader = fresh<StreamReader>();
     ConvertOptions options;
     for (options.depth = 1; options.depth <= 5; ++options.depth) {
         pool.roll_back(0);
@@ -60,7 +61,7 @@ std::uint64_t stream_bytes() {
         digest.add(static_cast<std::uint64_t>(bytes.count));
         digest.add(bytes.digest.value());
         if (bytes.count > sizeof bytes.kept) continue;
-        add(digest, read_kept());
+        add(digest, read_kept(reader));
         for (const std::uint64_t word : reader.header().frame) digest.add(word);
     }
     return digest.value();
@@ -69,6 +70,7 @@ std::uint64_t stream_bytes() {
 // Every byte of a stream changed, and the stream cut off before it.
 std::uint64_t damaged_streams() {
     Digest digest;
+    auto& reader = fresh<StreamReader>();
     ConvertOptions options;
     options.depth = 3;
     write(converted(octahedron(), options).tree);
@@ -78,10 +80,10 @@ std::uint64_t damaged_streams() {
         const std::uint8_t right = bytes.kept[at];
         bytes.kept[at] = static_cast<std::uint8_t>(right ^ (1U << (at % 8)));
         pool.roll_back(0);
-        add(digest, read_kept());
+        add(digest, read_kept(reader));
         bytes.kept[at] = right;
         bytes.count = at;
-        add(digest, read_kept());
+        add(digest, read_kept(reader));
         digest.add(pool.used());
         bytes.count = whole;
     }

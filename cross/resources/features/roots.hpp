@@ -23,10 +23,4 @@ constexpr Roots<First, Others...> roots_of(First first, Others... others) {
     return {first, roots_of(others...)};
 }
 
-template <class A, class B>
-struct Joined {
-    A a;
-    B b;
-};
-
 #endif

@@ -1,7 +1,7 @@
 // How much stack a call takes, measured: the free stack below the caller is painted, and what the call has
 // overwritten is counted afterwards.
-#ifndef OSEM_CROSS_STACK_PAINT_HPP
-#define OSEM_CROSS_STACK_PAINT_HPP
+#ifndef OSEM_CROSS_PAINT_STACK_USED_HPP
+#define OSEM_CROSS_PAINT_STACK_USED_HPP
 
 #include <cstdint>
 

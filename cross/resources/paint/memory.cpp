@@ -1,0 +1,56 @@
+// Pool, builder and compaction.
+#include "paint/paint.hpp"
+
+namespace osem::cross {
+
+namespace {
+
+TreeBuilder builder;
+std::uint32_t marks[compact_scratch(40000)];
+
+void measure_pool() {
+    constexpr Node nodes[8] = {};
+    NodeIndex first = 0;
+    const std::uint32_t mark = pool.used();
+    measured("NodePool::append", [&] { use(pool.append(nodes, 8, first)); });
+    measured("NodePool::roll_back", [&] { pool.roll_back(mark); });
+}
+
+void measure_builder() {
+    measured("TreeBuilder::begin", [&] { builder.begin(&pool); });
+    measured("TreeBuilder::open", [&] { builder.open(1); });
+    measured("TreeBuilder::leaves", [&] { builder.leaves(0x55, 0x05); });
+    measured("TreeBuilder::leaf", [&] { builder.leaf(6, Colour::black); });
+    builder.open(3);
+    builder.leaf(2, Colour::black);
+    builder.close();
+    measured("TreeBuilder::graft", [&] { builder.graft(5, Node::of(0x0f, 0x01, 0)); });
+    const Node unlike = Node::of(0x00, 0x28, 0);
+    measured("TreeBuilder::close", [&] {
+        builder.close(&unlike, &unlike);
+        builder.close();
+    });
+    measured("TreeBuilder::finish", [&] {
+        const TreeOutcome outcome = builder.finish(6);
+        use(outcome);
+    });
+    builder.begin(&pool);
+    measured("TreeBuilder::abandon", [&] { builder.abandon(); });
+}
+
+void measure_compaction(const Octree& a, const Octree& b) {
+    Octree trees[2] = {a, b};
+    Status status = Status::unfinished;
+    measured("compact", [&] { status = compact(pool, trees, 2, marks, compact_scratch(40000)); });
+    expect(status == Status::ok);
+}
+
+} // namespace
+
+void paint_memory(const PaintTrees& trees) {
+    measure_pool();
+    measure_builder();
+    measure_compaction(trees.a, trees.b);
+}
+
+} // namespace osem::cross
