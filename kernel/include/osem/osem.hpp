@@ -12,6 +12,7 @@
 #include "osem/node_pool.hpp"
 #include "osem/octree.hpp"
 #include "osem/query.hpp"
+#include "osem/slice.hpp"
 #include "osem/solid.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"

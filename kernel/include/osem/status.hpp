@@ -43,6 +43,9 @@ enum class Status : std::uint8_t {
     stream_count_mismatch,  ///< the payload holds more or fewer nodes than the header says, or that is 0
     stream_trailing_bytes,  ///< bytes follow the end of the stream
     sink_refused,           ///< the caller's sink did not take a write
+
+    // Slice.
+    level_out_of_range, ///< pixels smaller than the tree's leaves at its depth
 };
 
 /// One short lower-case English phrase for a status, without a full stop; never null.

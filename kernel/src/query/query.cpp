@@ -35,8 +35,6 @@ PointOutcome leaf_at(const Octree& tree, const Point& cell) {
 
 namespace {
 
-constexpr std::uint8_t low_children[3] = {0x55, 0x33, 0x0f}; // of an axis; the others are on its high side
-
 // The children of an octant that have a cell in the box, or within `margin` cells of it.
 std::uint8_t children_in(const Octant& octant, const CellBox& box, std::int32_t margin) {
     const std::int32_t half = octant.side() / 2;

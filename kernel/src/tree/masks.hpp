@@ -6,6 +6,9 @@
 
 namespace osem {
 
+/// The children on the low side of an axis; the others are on its high side.
+constexpr std::uint8_t low_children[3] = {0x55, 0x33, 0x0f};
+
 /// The lowest child in a mask. Precondition: mask != 0.
 constexpr unsigned lowest(std::uint8_t mask) {
     // The bits below the lowest set one, counted.

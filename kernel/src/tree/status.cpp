@@ -56,6 +56,8 @@ const char* describe(Status status) {
         return "bytes follow the end of the stream";
     case Status::sink_refused:
         return "sink refused a write";
+    case Status::level_out_of_range:
+        return "level is deeper than the tree";
     }
     return "unknown status";
 }

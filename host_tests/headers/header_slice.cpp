@@ -1,0 +1,2 @@
+#include "osem/slice.hpp"
+#include "osem/slice.hpp" // and once more: the guard
