@@ -1,0 +1,2 @@
+#include "osem/components.hpp"
+#include "osem/components.hpp" // and once more: the guard

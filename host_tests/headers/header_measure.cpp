@@ -1,0 +1,2 @@
+#include "osem/measure.hpp"
+#include "osem/measure.hpp" // and once more: the guard
