@@ -16,6 +16,7 @@
 #include "osem/octree.hpp"
 #include "osem/query.hpp"
 #include "osem/slice.hpp"
+#include "osem/ray.hpp"
 #include "osem/solid.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"

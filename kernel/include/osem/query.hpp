@@ -14,6 +14,14 @@
 
 namespace osem {
 
+/// The bit of a colour in a set of colours.
+constexpr std::uint8_t colour_bit(Colour colour) {
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(colour));
+}
+
+/// The colours of all that may be solid.
+constexpr std::uint8_t solid_colours = colour_bit(Colour::black) | colour_bit(Colour::boundary);
+
 /// Outcome of a point query.
 struct PointOutcome {
     Status status;
@@ -41,11 +49,9 @@ struct BoxOutcome {
     std::uint32_t visited; ///< nodes visited
 
     /// Whether a cell of the box has the colour. Grey is the colour of no cell.
-    constexpr bool holds(Colour colour) const {
-        return ((colours >> static_cast<unsigned>(colour)) & 1U) != 0;
-    }
+    constexpr bool holds(Colour colour) const { return (colours & colour_bit(colour)) != 0; }
     /// Whether all cells of the box have the colour.
-    constexpr bool all(Colour colour) const { return colours == 1U << static_cast<unsigned>(colour); }
+    constexpr bool all(Colour colour) const { return colours == colour_bit(colour); }
     /// Whether the box holds cells of more than one colour.
     constexpr bool mixed() const { return (colours & (colours - 1U)) != 0; }
     /// Whether the box keeps clear of all that may be solid: it is white throughout and touches nothing.

@@ -46,6 +46,9 @@ enum class Status : std::uint8_t {
 
     // Slice.
     level_out_of_range, ///< pixels smaller than the tree's leaves at its depth
+
+    // Query.
+    coordinate_out_of_range, ///< a query's coordinate, offset or distance is outside its stated range
 };
 
 /// One short lower-case English phrase for a status, without a full stop; never null.

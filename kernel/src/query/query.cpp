@@ -60,10 +60,9 @@ Status fault_of(const CellBox& box) {
     return status;
 }
 
-constexpr unsigned bit_of(Colour colour) { return 1U << static_cast<unsigned>(colour); }
-constexpr unsigned solid_bits = bit_of(Colour::black) | bit_of(Colour::boundary);
-constexpr unsigned near_bit = bit_of(Colour::grey); // solid in or beside the box; free, as no cell is grey
-constexpr unsigned all_bits = bit_of(Colour::white) | solid_bits;
+constexpr unsigned near_bit =
+    colour_bit(Colour::grey); // solid in or beside the box; free, as no cell is grey
+constexpr unsigned all_bits = colour_bit(Colour::white) | solid_colours;
 
 // The nodes whose octants reach the box, in preorder.
 class BoxWalk {
@@ -73,9 +72,9 @@ class BoxWalk {
     // Takes in the leaves of the node reached; false when nothing can change the answer any more.
     bool visit() {
         const std::uint8_t inside = children_in(octant_, box_, 0);
-        if ((inside & whites(*node_)) != 0) seen_ |= bit_of(Colour::white);
-        if ((inside & boundaries(*node_)) != 0) seen_ |= bit_of(Colour::boundary);
-        if ((inside & blacks(*node_)) != 0) seen_ |= bit_of(Colour::black);
+        if ((inside & whites(*node_)) != 0) seen_ |= colour_bit(Colour::white);
+        if ((inside & boundaries(*node_)) != 0) seen_ |= colour_bit(Colour::boundary);
+        if ((inside & blacks(*node_)) != 0) seen_ |= colour_bit(Colour::black);
         std::uint8_t enter = inside;
         if ((seen_ & near_bit) == 0) { // then what lies beside the box matters as well
             const std::uint8_t around = children_in(octant_, box_, 1);
@@ -109,7 +108,7 @@ class BoxWalk {
     }
 
     std::uint8_t colours() const { return static_cast<std::uint8_t>(seen_ & all_bits); }
-    bool touches() const { return (seen_ & (solid_bits | near_bit)) == near_bit; }
+    bool touches() const { return (seen_ & (solid_colours | near_bit)) == near_bit; }
 
   private:
     const NodePool* pool_;

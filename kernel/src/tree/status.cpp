@@ -58,6 +58,8 @@ const char* describe(Status status) {
         return "sink refused a write";
     case Status::level_out_of_range:
         return "level is deeper than the tree";
+    case Status::coordinate_out_of_range:
+        return "coordinate is out of range";
     }
     return "unknown status";
 }
