@@ -1,14 +1,12 @@
 // osem leaves: every leaf of an octree file, one a line.
-#include <charconv>
-#include <cstring>
 #include <memory>
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands/command.hpp"
+#include "console/text_lines.hpp"
 #include "files/host_pool.hpp"
 #include "files/tree_file.hpp"
 
@@ -16,57 +14,26 @@ namespace osem::host {
 
 namespace {
 
-// Lines gather in one buffer: a tree may have many millions of leaves.
-class LeafLines {
-  public:
-    explicit LeafLines(std::ostream& out) : out_(out), buffer_(std::size_t{1} << 16) {}
-
-    /// False once the stream refuses.
-    bool add(const Leaf& leaf) {
-        if (buffer_.size() - used_ < longest_line && !flush()) return false;
-        for (const std::int32_t coordinate : leaf.octant.corner.at) number(coordinate);
-        number(leaf.octant.side());
-        word(leaf.colour == Colour::white   ? "white\n"
-             : leaf.colour == Colour::black ? "black\n"
-                                            : "boundary\n");
-        return true;
-    }
-
-    bool flush() {
-        out_.write(buffer_.data(), static_cast<std::streamsize>(used_));
-        used_ = 0;
-        return out_.good();
-    }
-
-  private:
-    static constexpr std::size_t longest_line = 64; // four numbers of up to 7 digits, blanks and a word
-
-    void number(std::int32_t value) {
-        char* const at = buffer_.data() + used_;
-        char* const end = std::to_chars(at, at + longest_line, value).ptr;
-        *end = ' ';
-        used_ += static_cast<std::size_t>(end - at) + 1;
-    }
-    void word(const char* text) {
-        const std::size_t length = std::strlen(text);
-        std::memcpy(buffer_.data() + used_, text, length);
-        used_ += length;
-    }
-
-    std::ostream& out_;
-    std::vector<char> buffer_;
-    std::size_t used_ = 0;
-};
+// False once the stream refuses.
+bool add_leaf(TextLines& lines, const Leaf& leaf) {
+    if (!lines.start_line()) return false;
+    for (const std::int32_t coordinate : leaf.octant.corner.at) lines.number(coordinate);
+    lines.number(leaf.octant.side());
+    lines.word(leaf.colour == Colour::white   ? "white\n"
+               : leaf.colour == Colour::black ? "black\n"
+                                              : "boundary\n");
+    return true;
+}
 
 void run_leaves(const std::string& input, std::ostream& out) {
     TreeFile file(input);
     HostPool pool(file.nodes());
     const Octree tree = file.read(pool.pool());
-    LeafLines lines(out);
+    TextLines lines(out);
     LeafWalk walk(tree);
     Leaf leaf = {};
     bool taken = true;
-    while (taken && walk.next(leaf)) taken = lines.add(leaf);
+    while (taken && walk.next(leaf)) taken = add_leaf(lines, leaf);
     lines.flush(); // a stream that refuses is reported once, when the command has ended
 }
 

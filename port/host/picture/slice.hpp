@@ -1,10 +1,8 @@
-// A plane of an octree as a picture.
+// A slice of an octree as a picture.
 #ifndef OSEM_HOST_SLICE_HPP
 #define OSEM_HOST_SLICE_HPP
 
-#include <cstdint>
-
-#include "osem/octree.hpp"
+#include "osem/slice.hpp"
 #include "picture/image.hpp"
 
 namespace osem::host {
@@ -12,11 +10,11 @@ namespace osem::host {
 constexpr int slice_most_pixels = 2048;
 constexpr int slice_least_pixels = 256;
 
-/// The layer of cells [cell, cell + 1) along `axis`: white, black and boundary (steel blue) leaves, a pixel a
-/// leaf at the tree's depth. Where that is more than slice_most_pixels a pixel is the mean of its cells;
-/// where it is less than slice_least_pixels a leaf is a square of a whole number of pixels. Axis x shows y to
-/// the right and z upwards, axis y x and z, axis z x and y.
-Image slice(const Octree& tree, Axis axis, std::int32_t cell);
+/// The kernel's slice in white, black and steel blue (boundary), rows upwards. Where it has more than
+/// slice_most_pixels a side a pixel of the picture is the mean of the slice's; where it has fewer than
+/// slice_least_pixels one of the slice's is a square of a whole number of pixels. Precondition: the slice is
+/// one of the tree.
+Image draw_slice(const Octree& tree, const Slice& slice);
 
 } // namespace osem::host
 
