@@ -87,7 +87,7 @@ void expect_components(const Octree& tree, const DenseGrid& grid) {
 }
 
 TEST(Components, RandomTreesHaveTheComponentsOfTheirCells) {
-    for (std::uint32_t seed = 0; seed < 80; ++seed) {
+    for (std::uint32_t seed = 0; seed < 48; ++seed) {
         SCOPED_TRACE(seed);
         HeapPool pool(3000);
         const DenseGrid grid = grid_of(seed);
@@ -97,7 +97,7 @@ TEST(Components, RandomTreesHaveTheComponentsOfTheirCells) {
 
 // Sparse cells: many components, few of them on the border.
 TEST(Components, ScatteredCells) {
-    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         HeapPool pool(3000);
         std::uint32_t state = seed;

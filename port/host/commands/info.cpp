@@ -1,5 +1,4 @@
 // osem info: what an octree file holds.
-#include <cmath>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -10,15 +9,11 @@
 #include "files/decimal.hpp"
 #include "files/host_pool.hpp"
 #include "files/tree_file.hpp"
+#include "measure/mass.hpp"
 
 namespace osem::host {
 
 namespace {
-
-std::string world_volume(std::uint64_t cells, const WorldCube& cube) {
-    const double part = std::ldexp(static_cast<double>(cells), -3 * lattice_bits);
-    return decimal(part * cube.side * cube.side * cube.side);
-}
 
 std::string hexadecimal(std::uint64_t value) {
     std::string text(16, '0');
@@ -41,8 +36,8 @@ void run_info(const std::string& input, std::ostream& out) {
         << "boundary " << m.boundary_leaves << '\n'
         << "volume_inner " << m.inner_volume << '\n'
         << "volume_outer " << m.outer_volume << '\n'
-        << "volume_inner_world " << world_volume(m.inner_volume, facts.cube) << '\n'
-        << "volume_outer_world " << world_volume(m.outer_volume, facts.cube) << '\n'
+        << "volume_inner_world " << decimal(world_volume(m.inner_volume, facts.cube)) << '\n'
+        << "volume_outer_world " << decimal(world_volume(m.outer_volume, facts.cube)) << '\n'
         << "digest " << hexadecimal(digest(tree)) << '\n';
 }
 
