@@ -60,6 +60,9 @@ class Conversion {
     /// Octants visited so far, the root included.
     std::uint64_t octants_visited() const { return visited_; }
 
+    /// Nodes that the tree takes so far; it never falls, and in the end it is nodes_needed.
+    std::uint32_t nodes_counted() const { return builder_.nodes_counted(); }
+
     /// What each stage rejected and accepted so far.
     const StageCounts& stages() const { return stages_; }
 

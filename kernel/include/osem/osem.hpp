@@ -9,6 +9,7 @@
 #include "osem/components.hpp"
 #include "osem/config.hpp"
 #include "osem/convert.hpp"
+#include "osem/fit.hpp"
 #include "osem/frame.hpp"
 #include "osem/lattice.hpp"
 #include "osem/measure.hpp"

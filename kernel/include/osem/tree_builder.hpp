@@ -55,6 +55,9 @@ class TreeBuilder {
     /// Whether the pool has run out (it has been rolled back; building may go on to count).
     bool exhausted() const { return exhausted_; }
 
+    /// Nodes written or counted so far; 2^32 - 1: that many or more.
+    std::uint32_t nodes_counted() const { return needed_; }
+
     /// The tree, or what kept it from being. Status: ok; pool_exhausted; unfinished when the root octant is
     /// still open or nothing was begun, in which case the pool is as it was. Precondition: depth is in [1,
     /// 20], and no leaf is deeper.

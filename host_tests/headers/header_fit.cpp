@@ -1,0 +1,2 @@
+#include "osem/fit.hpp"
+#include "osem/fit.hpp" // and once more: the guard
