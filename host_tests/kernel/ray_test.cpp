@@ -9,6 +9,7 @@
 
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
+#include "support/leaf_list.hpp"
 
 namespace osem::tests {
 
@@ -70,16 +71,11 @@ bool stay_in(const Leaf& leaf, const Point& p, const Point& q, Stay& stay) {
 std::vector<Stay> expected_stays(const Octree& tree, const Point& p, const Point& q) {
     std::vector<Stay> stays;
     Stay stay = {};
-    Leaf leaf = {};
-    for (LeafWalk walk(tree); walk.next(leaf);) {
+    for (const Leaf& leaf : leaves_of(tree)) {
         if (stay_in(leaf, p, q, stay)) stays.push_back(stay);
     }
     std::sort(stays.begin(), stays.end(), [](const Stay& a, const Stay& b) { return a.entry < b.entry; });
     return stays;
-}
-
-bool same_leaf(const Leaf& a, const Leaf& b) {
-    return a.octant.corner == b.octant.corner && a.octant.level == b.octant.level && a.colour == b.colour;
 }
 
 bool same(const Passage& passage, const Stay& stay) {
@@ -225,20 +221,6 @@ TEST(SegmentWalk, ReversedMeetsTheSameLeavesInReverse) {
     }
 }
 
-// A tree with one leaf of side 1, at the end of a path of depth 20.
-Octree deepest(std::mt19937& random, NodePool& pool, Octant& leaf) {
-    TreeBuilder builder;
-    builder.begin(&pool);
-    leaf = root_octant;
-    for (int level = 1; level <= max_depth; ++level) {
-        const unsigned child = random() % 8;
-        level < max_depth ? builder.open(child) : builder.leaf(child, Colour::black);
-        leaf = leaf.child(child);
-    }
-    for (int level = 0; level < max_depth; ++level) builder.close();
-    return builder.finish(max_depth).tree;
-}
-
 // Whether the point at a parameter is in the closed octant. Products are at most 2^60, so are their sums.
 bool holds_at(const Octant& octant, const Segment& segment, const Parameter& at) {
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -257,13 +239,14 @@ TEST(SegmentWalk, ExactInTheWholeRange) {
     std::mt19937 random(23);
     for (int round = 0; round < 200; ++round) {
         HeapPool pool(max_depth);
-        Octant target = {};
-        const Octree tree = deepest(random, *pool, target);
+        Leaf target = {};
+        const Octree tree = lone_leaf(max_depth, Colour::black, random, *pool, target);
         for (int i = 0; i < 50; ++i) {
             Segment segment = {};
             const auto bits = static_cast<unsigned>(random() % 28);
             for (unsigned axis = 0; axis < 3; ++axis) {
-                const std::int32_t through = target.corner.at[axis] + static_cast<std::int32_t>(random() % 2);
+                const std::int32_t through =
+                    target.octant.corner.at[axis] + static_cast<std::int32_t>(random() % 2);
                 const auto reach =
                     static_cast<std::int32_t>(random() % (std::uint32_t{2} << bits)) - (1 << bits);
                 segment.from.at[axis] = through - reach;

@@ -1,5 +1,6 @@
 #include "osem/query.hpp"
 
+#include "query/children_in.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -34,20 +35,6 @@ PointOutcome leaf_at(const Octree& tree, const Point& cell) {
 }
 
 namespace {
-
-// The children of an octant that have a cell in the box, or within `margin` cells of it.
-std::uint8_t children_in(const Octant& octant, const CellBox& box, std::int32_t margin) {
-    const std::int32_t half = octant.side() / 2;
-    unsigned children = 0xff;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        const std::int32_t middle = octant.corner.at[axis] + half;
-        const std::int32_t low = box.low.at[axis] - margin - middle; // from the octant's middle
-        const std::int32_t high = box.high.at[axis] + margin - middle;
-        if (low >= 0 || high <= -half) children &= ~unsigned{low_children[axis]};
-        if (low >= half || high <= 0) children &= low_children[axis];
-    }
-    return static_cast<std::uint8_t>(children);
-}
 
 Status fault_of(const CellBox& box) {
     Status status = Status::ok;

@@ -1,0 +1,2 @@
+#include "osem/neighbour.hpp"
+#include "osem/neighbour.hpp" // and once more: the guard
