@@ -9,6 +9,8 @@ FEATURE_TEXTS = {
     "booleans": "and Booleans",
     "conversion": "and conversion",
     "check": "and check",
+    "measures": "moments, surface and Euler characteristic",
+    "components": "connected components",
     WHOLE: "the whole kernel",
 }
 JOB_TEXTS = {

@@ -32,6 +32,8 @@ constexpr Scenario scenarios[] = {
     {"point_queries", point_queries},
     {"box_queries", box_queries},
     {"measures_and_leaves", measures_and_leaves},
+    {"moments_and_surfaces", moments_and_surfaces},
+    {"labelled_components", labelled_components},
 };
 
 void print_line(const char* name, std::uint64_t digest) {

@@ -42,6 +42,10 @@ std::uint64_t point_queries();
 std::uint64_t box_queries();
 std::uint64_t measures_and_leaves();
 
+// measures.cpp
+std::uint64_t moments_and_surfaces();
+std::uint64_t labelled_components();
+
 } // namespace osem::cross
 
 #endif

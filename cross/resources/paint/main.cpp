@@ -33,6 +33,7 @@ bool paint_all() {
     const PaintTrees trees = paint_solids();
     paint_booleans(trees);
     paint_queries(trees);
+    paint_measures(trees);
     paint_trees(trees);
     paint_streams(trees);
     paint_memory(trees);
