@@ -15,8 +15,12 @@ namespace osem::tests {
 namespace {
 
 constexpr Connectivity connectivities[] = {Connectivity::faces, Connectivity::edges, Connectivity::corners};
-constexpr std::uint8_t colour_sets[] = {inner_solid, outer_solid,  inner_void,
-                                        outer_void,  boundary_bit, white_bit | black_bit};
+constexpr std::uint8_t colour_sets[] = {inner_solid,
+                                        outer_solid,
+                                        inner_void,
+                                        outer_void,
+                                        colour_bit(Colour::boundary),
+                                        colour_bit(Colour::white) | colour_bit(Colour::black)};
 
 // Scratch of exactly the stated size, so that the address sanitizer sees a write behind it.
 struct Labelled {

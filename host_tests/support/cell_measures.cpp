@@ -36,10 +36,10 @@ void for_each_cell(const CellSet& set, const Visit& visit) {
 } // namespace
 
 CellSet::CellSet(const DenseGrid& grid, std::uint8_t colours)
-    : side_(1 << grid.depth()), outside_((colours & white_bit) != 0), cells_(grid.size()) {
+    : side_(1 << grid.depth()), outside_((colours & colour_bit(Colour::white)) != 0), cells_(grid.size()) {
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const Cell c = cell_at(grid.corner(i), grid.cell_side());
-        const bool counts = ((unsigned{colours} >> static_cast<unsigned>(grid[i])) & 1U) != 0;
+        const bool counts = (colours & colour_bit(grid[i])) != 0;
         cells_[static_cast<std::size_t>((c[2] * side_ + c[1]) * side_ + c[0])] = counts ? 1 : 0;
     }
 }

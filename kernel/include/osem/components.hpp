@@ -16,15 +16,12 @@ namespace osem {
 /// has 6 such neighbours), or of an edge at least (18), or a point (26).
 enum class Connectivity : std::uint8_t { faces = 1, edges = 2, corners = 3 };
 
-/// Sets of leaf colours: bit c for colour c. Where a solid hangs together by corners, its void must hang
+/// Sets of leaf colours, each its colour_bit. Where a solid hangs together by corners, its void must hang
 /// together by faces, and the other way round, for the two to make sense side by side.
-constexpr std::uint8_t white_bit = 1U << static_cast<unsigned>(Colour::white);
-constexpr std::uint8_t boundary_bit = 1U << static_cast<unsigned>(Colour::boundary);
-constexpr std::uint8_t black_bit = 1U << static_cast<unsigned>(Colour::black);
-constexpr std::uint8_t inner_solid = black_bit;
-constexpr std::uint8_t outer_solid = black_bit | boundary_bit;
-constexpr std::uint8_t inner_void = white_bit | boundary_bit; ///< what the inner solid leaves
-constexpr std::uint8_t outer_void = white_bit;                ///< what the outer solid leaves
+constexpr std::uint8_t inner_solid = colour_bit(Colour::black);
+constexpr std::uint8_t outer_solid = solid_colours;
+constexpr std::uint8_t inner_void = colour_bit(Colour::white) | colour_bit(Colour::boundary);
+constexpr std::uint8_t outer_void = colour_bit(Colour::white); ///< what the outer solid leaves
 
 /// A component. What is outside the root counts as white, though it has no cells and is no component by
 /// itself: where white is among the colours, all leaves on the root's border hang together through it. So a
@@ -49,9 +46,9 @@ constexpr std::uint32_t no_component = UINT32_MAX;
 /// Words of scratch that a labelling needs: one a node and one a leaf that counts, shared subtrees as often
 /// as they are reached; m is measure(tree). Past 2^31 - 1 words no scratch is large enough.
 constexpr std::uint64_t component_scratch(const Measures& m, std::uint8_t colours) {
-    return m.nodes + ((colours & white_bit) != 0 ? m.white_leaves : 0) +
-           ((colours & boundary_bit) != 0 ? m.boundary_leaves : 0) +
-           ((colours & black_bit) != 0 ? m.black_leaves : 0);
+    return m.nodes + ((colours & colour_bit(Colour::white)) != 0 ? m.white_leaves : 0) +
+           ((colours & colour_bit(Colour::boundary)) != 0 ? m.boundary_leaves : 0) +
+           ((colours & colour_bit(Colour::black)) != 0 ? m.black_leaves : 0);
 }
 
 /// Labels the leaves of given colours by component: begin, step until nothing is left, finish; then ask. Tree

@@ -121,7 +121,8 @@ void ComponentLabelling::begin(const Octree& tree, std::uint8_t colours, Connect
     outside_ = 0;
     components_ = 0;
     walk_.begin_writing(tree_, colours, scratch, size_);
-    clusters_.begin(tree_, static_cast<unsigned>(connectivity), (colours & white_bit) != 0, blocks());
+    clusters_.begin(tree_, static_cast<unsigned>(connectivity), (colours & colour_bit(Colour::white)) != 0,
+                    blocks());
 }
 
 bool ComponentLabelling::step(std::uint32_t units) {

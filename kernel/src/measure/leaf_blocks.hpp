@@ -3,6 +3,7 @@
 #define OSEM_MEASURE_LEAF_BLOCKS_HPP
 
 #include "osem/cluster_walk.hpp"
+#include "osem/query.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -10,9 +11,7 @@ namespace osem {
 /// The leaf children of a node that have a word. A uniform node, which only the top may be, is one leaf, its
 /// child 0.
 constexpr std::uint8_t counted_children(const Node& node, std::uint8_t colours) {
-    const auto counts = [colours](Colour colour) {
-        return ((colours >> static_cast<unsigned>(colour)) & 1U) != 0 ? 0xff : 0;
-    };
+    const auto counts = [colours](Colour colour) { return (colours & colour_bit(colour)) != 0 ? 0xff : 0; };
     const int mask = (whites(node) & counts(Colour::white)) | (blacks(node) & counts(Colour::black)) |
                      (boundaries(node) & counts(Colour::boundary));
     return static_cast<std::uint8_t>(node.is_uniform() ? mask & 1 : mask);

@@ -32,7 +32,7 @@ void add_cube(Moments& m, const Octant& octant) {
     for (unsigned a = 0; a < 3; ++a) {
         add(m.first[a], d[a], shift);
         add(m.second[product_xx + a], 3 * d[a] * d[a] + side * side, shift);
-        add(m.second[product_xy + a], 3 * d[a] * d[(a + 1) % 3], shift);
+        add(m.second[product_xy + a], 3 * d[a] * d[a == 2 ? 0 : a + 1], shift);
     }
 }
 
