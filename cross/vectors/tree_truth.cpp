@@ -106,22 +106,43 @@ std::uint64_t TreeTruth::digest() const {
     return hash;
 }
 
+// Every leaf is at its place in Morton order; before the first leaf of a grey octant stands that octant. An
+// octant of level l begins where 3 * (lattice_bits - l) bits of the position are 0, and it is grey when the
+// leaf there is deeper.
+std::vector<Colour> TreeTruth::preorder() const {
+    std::vector<Colour> colours;
+    for (const Leaf& leaf : leaves_) {
+        int level = 0;
+        while (leaf.first % (std::uint64_t{1} << (3 * (osem::lattice_bits - level))) != 0) ++level;
+        for (; level < leaf.level; ++level) colours.push_back(Colour::grey);
+        colours.push_back(leaf.colour);
+    }
+    return colours;
+}
+
 // The stream by the words of osem/stream.hpp.
 std::uint32_t TreeTruth::stream_crc(osem::LeafRule rule) const {
     Bytes stream;
     for (const char letter : {'O', 'S', 'E', 'M'}) stream.u8(static_cast<std::uint8_t>(letter));
-    stream.u8(1);
+    stream.u8(2);
     stream.u8(static_cast<std::uint64_t>(depth_));
     stream.u8(rule == osem::LeafRule::centre ? 1 : 0);
     stream.u8(0);
     for (const std::uint64_t number : osem::cross::stream_frame) stream.u64(number);
-    stream.u32(nodes_.size());
+    stream.u32(leaves_.size() == 1 ? 0 : nodes_.size());
     stream.u32(crc_32(stream.data()));
     Bytes payload;
-    for (const Masks& node : nodes_) {
-        payload.u8(node.may);
-        payload.u8(node.must);
+    unsigned byte = 0;
+    unsigned used = 0;
+    for (const Colour colour : preorder()) {
+        byte |= static_cast<unsigned>(colour) << used;
+        used += 2;
+        if (used < 8) continue;
+        payload.u8(byte);
+        byte = 0;
+        used = 0;
     }
+    if (used != 0) payload.u8(byte);
     stream.append(payload);
     stream.u32(crc_32(payload.data()));
     return crc_32(stream.data());

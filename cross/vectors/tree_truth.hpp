@@ -45,6 +45,7 @@ class TreeTruth {
     std::uint64_t leaves_of(osem::Colour colour) const;
     std::uint64_t volume_of(osem::Colour colour) const;
     std::uint64_t digest() const;
+    std::vector<osem::Colour> preorder() const; ///< of all octants, grey ones too
     std::uint32_t stream_crc(osem::LeafRule rule) const;
     void put_query(Bytes& body, const osem::Point& cell) const;
 

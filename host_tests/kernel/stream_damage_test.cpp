@@ -88,10 +88,12 @@ TEST(StreamDamage, HostileHeaders) {
     expect_status(model.bytes(), Status::stream_header_damaged, 7, "the byte that is 0");
     model = StreamModel(3, masks);
     model.nodes = 0;
-    expect_status(model.bytes(), Status::stream_count_mismatch, 40, "no nodes");
-    model = StreamModel(3, masks);
-    model.magic[4] = 2;
-    expect_status(model.bytes(), Status::stream_not_osem, 4, "version 2");
+    expect_status(model.bytes(), Status::stream_count_mismatch, 48, "no nodes");
+    for (const unsigned version : {0U, 1U, 3U}) {
+        model = StreamModel(3, masks);
+        model.magic[4] = static_cast<std::uint8_t>(version);
+        expect_status(model.bytes(), Status::stream_not_osem, 4, "version " + std::to_string(version));
+    }
 }
 
 TEST(StreamDamage, WrongCounts) {
@@ -109,27 +111,48 @@ TEST(StreamDamage, WrongCounts) {
     StreamModel uniform(3, Masks{{0xff, 0xff}});
     uniform.nodes = 2;
     EXPECT_EQ(expect_refused(uniform.bytes(), "uniform").built.status, Status::stream_count_mismatch);
-    StreamModel two(3, Masks{{0xff, 0xff}, {0x01, 0x00}});
-    EXPECT_EQ(expect_refused(two.bytes(), "a node after all").built.status, Status::stream_count_mismatch);
+    const StreamModel two(3, std::vector<Colour>{Colour::black, Colour::grey});
+    expect_status(two.bytes(), Status::stream_count_mismatch, 48, "a node after all");
 }
 
 TEST(StreamDamage, NodesThatAreNotCanonical) {
-    for (const auto& node : Masks{{0x00, 0x00}, {0xff, 0x00}, {0xff, 0xff}}) {
-        const StreamModel below_the_top(3, Masks{{0x00, 0x01}, node});
-        expect_status(below_the_top.bytes(), Status::stream_not_canonical, 51, "eight equal leaves");
-        const StreamModel deeper(3, Masks{{0x00, 0x81}, {0x01, 0x80}, {0x02, 0x02}, node});
-        expect_status(deeper.bytes(), Status::stream_not_canonical, 55, "eight equal leaves, later");
+    for (const Colour colour : {Colour::white, Colour::boundary, Colour::black}) {
+        std::vector<Colour> leaves(8, colour);
+        std::vector<Colour> grey_root{Colour::grey};
+        grey_root.insert(grey_root.end(), leaves.begin(), leaves.end());
+        expect_status(StreamModel(3, grey_root).bytes(), Status::stream_not_canonical, 50, "a grey root");
+        for (std::size_t before = 0; before < 8; ++before) {
+            std::vector<Colour> colours(1 + before,
+                                        Colour::white); // the root, and children before the grey one
+            colours[0] = Colour::grey;
+            colours.push_back(Colour::grey);
+            colours.insert(colours.end(), leaves.begin(), leaves.end());
+            const std::uint64_t fault = stream_header_size + (colours.size() - 1) / 4;
+            colours.resize(17, Colour::black);
+            expect_status(StreamModel(3, colours).bytes(), Status::stream_not_canonical, fault,
+                          "child " + std::to_string(before));
+        }
+    }
+}
+
+TEST(StreamDamage, BitsBehindTheLastCode) {
+    for (const Masks& masks : {sample_masks(), Masks{{0xff, 0xff}}}) {
+        for (unsigned bit = 2; bit < 8; ++bit) {
+            StreamModel model(3, masks);
+            model.payload.back() = static_cast<std::uint8_t>(model.payload.back() | (1U << bit));
+            expect_status(model.bytes(), Status::stream_payload_damaged,
+                          stream_header_size + model.payload.size() - 1, "bit " + std::to_string(bit));
+        }
     }
 }
 
 TEST(StreamDamage, NodesBelowTheStatedDepth) {
-    for (int depth = 1; depth <= max_depth; ++depth) {
-        Masks masks(static_cast<std::size_t>(depth), {0x00, 0x20});
+    for (std::size_t depth = 1; depth <= max_depth; ++depth) {
+        Masks masks(depth, {0x00, 0x20}); // child 5 is grey, and so on
         masks.emplace_back(std::uint8_t{0x20}, std::uint8_t{0x20});
-        const StreamModel model(depth, masks);
-        const auto fault =
-            static_cast<std::uint64_t>(stream_header_size) + 2 * static_cast<unsigned>(depth) - 1;
-        expect_status(model.bytes(), Status::stream_too_deep, fault, "depth " + std::to_string(depth));
+        const StreamModel model(static_cast<int>(depth), masks);
+        expect_status(model.bytes(), Status::stream_too_deep, stream_header_size + 6 * depth / 4,
+                      "depth " + std::to_string(depth));
     }
     // As deep as can be, and on and on.
     const StreamModel endless(20, Masks(500, {0x00, 0xff}));

@@ -41,16 +41,18 @@ TEST(Stream, BytesAreTheDocumentedOnes) {
     builder.close();
     builder.close();
     const Octree tree = builder.finish(5).tree;
-    Bytes expected = {'O',  'S',  'E',  'M',  1,    5,    1,    0,                 // depth 5, centre leaves
+    Bytes expected = {'O',  'S',  'E',  'M',  2,    5,    1,    0,                 // depth 5, centre leaves
                       0,    0,    0,    0,    0,    0,    0xf0, 0x3f,              // 1.0
                       0,    0,    0,    0,    0,    0,    0,    0xc0,              // -2.0
                       0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01,              // carried as they are
                       0x01, 0,    0,    0,    0,    0x6a, 0xf8, 0x40, 2, 0, 0, 0}; // two nodes
     const std::uint32_t header_crc = plain_crc(expected.data(), 44);
     for (unsigned i = 0; i < 4; ++i) expected.push_back(static_cast<std::uint8_t>(header_crc >> (8 * i)));
-    const Bytes payload = {0b01000010, 0b00001010, 0b10000001, 0b00000001};
+    // Root and children 0 to 2; child 3 and its children 0 to 2; 3 to 6; 7, children 4 to 6; child 7,
+    // padding.
+    const Bytes payload = {0b00'11'00'10, 0b00'00'11'10, 0b00'00'00'00, 0b01'00'00'01, 0b00'00'00'00};
     expected.insert(expected.end(), payload.begin(), payload.end());
-    const std::uint32_t crc = plain_crc(payload.data(), 4);
+    const std::uint32_t crc = plain_crc(payload.data(), payload.size());
     for (unsigned i = 0; i < 4; ++i) expected.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
 
     EXPECT_EQ(written(tree, sample_header), expected);
@@ -67,6 +69,7 @@ TEST(Stream, WriterGivesTheBytesOfTheModel) {
         const Bytes bytes = written(planted(grid, *pool), sample_header);
         EXPECT_EQ(bytes, model.bytes()) << "seed " << seed;
         EXPECT_EQ(bytes.size(), stream_size(model.nodes));
+        EXPECT_EQ(model.payload.size(), 2 * std::size_t{model.nodes} + 1);
     }
 }
 
@@ -92,7 +95,8 @@ TEST(Stream, RoundTripIntoAnotherPool) {
         ASSERT_TRUE(reader.has_header());
         EXPECT_EQ(reader.header().depth, grid.depth());
         EXPECT_EQ(reader.header().leaf_rule, 1);
-        EXPECT_EQ(reader.header().nodes, preorder_masks(grid).size());
+        const bool is_leaf = grid == DenseGrid(grid.depth(), grid[0]);
+        EXPECT_EQ(reader.header().nodes, is_leaf ? 0 : preorder_masks(grid).size());
         for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(reader.header().frame[i], sample_header.frame[i]);
         EXPECT_EQ(written(outcome.built.tree, reader.header()), bytes);
     }
@@ -107,6 +111,9 @@ TEST(Stream, UniformTreesAndGreatestDepth) {
         const StreamOutcome outcome = read_stream(reader, bytes, &*pool);
         ASSERT_EQ(outcome.built.status, Status::ok);
         EXPECT_EQ(outcome.built.tree.top, Node::uniform(colour));
+        EXPECT_EQ(reader.header().nodes, 0U);
+        EXPECT_EQ(bytes.size(), stream_size(0));
+        EXPECT_EQ(bytes[stream_header_size], static_cast<std::uint8_t>(colour));
     }
     Masks path(19, {0x00, 0x20}); // child 5 is grey, 19 times; then it is black
     path.emplace_back(std::uint8_t{0x20}, std::uint8_t{0x20});

@@ -34,13 +34,50 @@ bool take(void* context, const std::uint8_t* bytes, std::size_t count) {
 
 } // namespace
 
-StreamModel::StreamModel(int tree_depth, const Masks& masks)
-    : depth(static_cast<std::uint8_t>(tree_depth)), nodes(static_cast<std::uint32_t>(masks.size())) {
-    for (const auto& [may, must] : masks) {
-        payload.push_back(may);
-        payload.push_back(must);
+namespace {
+
+// The colours of a node's children, each grey one followed by those below it.
+void append_children(std::vector<Colour>& colours, const Masks& masks, std::size_t& next) {
+    if (next == masks.size()) return;
+    const auto [may, must] = masks[next++];
+    for (unsigned k = 0; k < 8; ++k) {
+        const unsigned code = ((may >> k) & 1U) + 2 * ((must >> k) & 1U);
+        colours.push_back(static_cast<Colour>(code));
+        if (colours.back() == Colour::grey) {
+            if (next == masks.size()) return;
+            append_children(colours, masks, next);
+        }
     }
 }
+
+} // namespace
+
+std::vector<Colour> preorder_colours(const Masks& masks) {
+    const auto [may, must] = masks.at(0);
+    if (masks.size() == 1 && (may == 0 || may == 0xff) && (must == 0 || must == 0xff) && may >= must) {
+        return {may == 0 ? Colour::white : must == 0 ? Colour::boundary : Colour::black};
+    }
+    std::vector<Colour> colours{Colour::grey};
+    for (std::size_t next = 0; next < masks.size();) append_children(colours, masks, next);
+    return colours;
+}
+
+Bytes packed(const std::vector<Colour>& colours) {
+    Bytes bytes((colours.size() + 3) / 4, 0);
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const unsigned code = static_cast<unsigned>(colours[i]) << (2 * (i % 4));
+        bytes[i / 4] = static_cast<std::uint8_t>(bytes[i / 4] | code);
+    }
+    return bytes;
+}
+
+StreamModel::StreamModel(int tree_depth, const Masks& masks)
+    : StreamModel(tree_depth, preorder_colours(masks)) {}
+
+StreamModel::StreamModel(int tree_depth, const std::vector<Colour>& colours)
+    : depth(static_cast<std::uint8_t>(tree_depth)),
+      nodes(static_cast<std::uint32_t>(std::count(colours.begin(), colours.end(), Colour::grey))),
+      payload(packed(colours)) {}
 
 Bytes StreamModel::bytes() const {
     Bytes all = magic;

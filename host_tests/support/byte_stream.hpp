@@ -15,9 +15,16 @@ using Bytes = std::vector<std::uint8_t>;
 /// CRC-32 a bit at a time, as the standard defines it.
 std::uint32_t plain_crc(const std::uint8_t* bytes, std::size_t count);
 
+/// The colours of a tree's octants in preorder, from its nodes in preorder. Nodes too many are put behind,
+/// and where there are too few the colours end.
+std::vector<Colour> preorder_colours(const Masks& masks);
+
+/// Four colours a byte, the first one lowest.
+Bytes packed(const std::vector<Colour>& colours);
+
 /// The fields of a stream; their bytes are laid out as the header documents, with right checksums.
 struct StreamModel {
-    Bytes magic{'O', 'S', 'E', 'M', 1};
+    Bytes magic{'O', 'S', 'E', 'M', 2};
     std::uint8_t depth = 1;
     std::uint8_t leaf_rule = 0;
     std::uint8_t zero = 0;
@@ -25,7 +32,9 @@ struct StreamModel {
     std::uint32_t nodes = 0;
     Bytes payload;
 
-    explicit StreamModel(int tree_depth, const Masks& masks);
+    StreamModel(int tree_depth, const Masks& masks);
+    /// A payload of its own; its node count is the number of grey octants.
+    StreamModel(int tree_depth, const std::vector<Colour>& colours);
     Bytes bytes() const;
 };
 

@@ -18,12 +18,14 @@
 #include "osem/neighbour.hpp"
 #include "osem/node_pool.hpp"
 #include "osem/octree.hpp"
+#include "osem/preorder_path.hpp"
 #include "osem/query.hpp"
 #include "osem/ray.hpp"
 #include "osem/slice.hpp"
 #include "osem/solid.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"
+#include "osem/stream_cursor.hpp"
 #include "osem/tree_builder.hpp"
 
 #endif

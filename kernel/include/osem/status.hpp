@@ -37,10 +37,10 @@ enum class Status : std::uint8_t {
     stream_not_osem,        ///< the first bytes are not an Osem header of a known version
     stream_header_damaged,  ///< the header's checksum does not match, or a field has a value no writer gives
                             ///< it
-    stream_payload_damaged, ///< the payload's checksum does not match
+    stream_payload_damaged, ///< the payload's checksum does not match, or bits behind its last code are not 0
     stream_too_deep,        ///< a grey octant stands at the stated depth
-    stream_not_canonical,   ///< a node below the top has eight equal leaf children
-    stream_count_mismatch,  ///< the payload holds more or fewer nodes than the header says, or that is 0
+    stream_not_canonical,   ///< a grey octant has eight leaves of one colour
+    stream_count_mismatch,  ///< the payload holds more or fewer grey octants than the header says
     stream_trailing_bytes,  ///< bytes follow the end of the stream
     sink_refused,           ///< the caller's sink did not take a write
 
@@ -49,6 +49,9 @@ enum class Status : std::uint8_t {
 
     // Query.
     coordinate_out_of_range, ///< a query's coordinate, offset or distance is outside its stated range
+
+    // Source of a stream.
+    source_failed, ///< the caller's source did not give the bytes asked for
 };
 
 /// One short lower-case English phrase for a status, without a full stop; never null.

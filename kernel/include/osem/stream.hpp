@@ -4,16 +4,23 @@
 //
 //     offset  bytes  header
 //          0      4  'O' 'S' 'E' 'M'
-//          4      1  version, 1
+//          4      1  version, 2
 //          5      1  depth, 1 to 20
 //          6      1  leaf rule the tree was converted with (0 conservative, 1 centre)
 //          7      1  0
 //          8     32  frame: origin x, y, z and side of the world cube that the root covers, each the bits of
 //                    an IEEE 754 binary64 (the kernel carries them unread)
-//         40      4  node count, 1 or more
+//         40      4  node count n: the grey octants; 0 when the root is a leaf
 //         44      4  CRC-32 of bytes 0 to 43
-//         48     2n  payload: the nodes in preorder, each the byte `may`, then the byte `must`
-//     48 + 2n     4  CRC-32 of the payload
+//         48 2n + 1  payload: the colours of the 8n + 1 octants, two bits each
+//     49 + 2n     4  CRC-32 of the payload
+//
+// The payload is the tree's depth-first expression (Kawaguchi and Endo, "On a method of binary-picture
+// representation and its application to data compression", IEEE PAMI 2(1), 1980): the octants in preorder,
+// the eight children of a grey one behind it in Morton order. A colour's code is its number (white 0,
+// boundary 1, grey 2, black 3); four codes are packed to a byte, the first one lowest, and the six bits that
+// the last byte has left are 0. So a node costs 16 bits, and a tree can be written as it is found, before it
+// is known as a whole.
 //
 // The CRC-32 is that of IEEE 802.3 (polynomial 0x04c11db7, reflected).
 #ifndef OSEM_STREAM_HPP
@@ -23,6 +30,7 @@
 #include <cstdint>
 
 #include "osem/octree.hpp"
+#include "osem/preorder_path.hpp"
 #include "osem/tree_builder.hpp"
 
 namespace osem {
@@ -30,9 +38,9 @@ namespace osem {
 constexpr std::size_t stream_header_size = 48;
 constexpr std::size_t stream_trailer_size = 4;
 
-/// Bytes of a stream of `nodes` nodes.
+/// Bytes of a stream of `nodes` grey octants (0 when the root is a leaf): exact.
 constexpr std::uint64_t stream_size(std::uint64_t nodes) {
-    return stream_header_size + 2 * nodes + stream_trailer_size;
+    return stream_header_size + (2 * nodes + 1) + stream_trailer_size;
 }
 
 /// What a header says beside the tree.
@@ -40,7 +48,7 @@ struct StreamHeader {
     std::uint8_t depth;
     std::uint8_t leaf_rule;
     std::uint64_t frame[4]; ///< origin x, y, z and side, as the bits of binary64 numbers
-    std::uint32_t nodes;
+    std::uint32_t nodes;    ///< grey octants, the root included; 0 when the root is a leaf
 };
 
 /// Takes bytes from the writer; false refuses. `context` is the caller's.
@@ -48,6 +56,17 @@ struct Sink {
     bool (*write)(void* context, const std::uint8_t* bytes, std::size_t count);
     void* context;
 };
+
+/// Reads bytes at any offset of a stream that can be read again: memory, flash, a file. false when they
+/// cannot be had. Nobody asks for bytes at or behind `size`. `context` is the caller's.
+struct Source {
+    bool (*read)(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count);
+    void* context;
+    std::uint64_t size; ///< bytes of the whole stream
+};
+
+/// A stream in memory, which may be flash: the bytes are only read.
+Source memory_source(const std::uint8_t* bytes, std::size_t size);
 
 /// Writes a tree of up to 2^32 - 1 nodes (shared ones counted as often as they are reached); depth and node
 /// count of `header` are filled in from it. Precondition: header.leaf_rule is 0 or 1. Status: ok;
@@ -72,7 +91,7 @@ class StreamReader {
     Status feed(const std::uint8_t* bytes, std::size_t count);
 
     /// Whether a whole, undamaged header has been read; header() is meaningful from then on.
-    bool has_header() const { return header_.nodes != 0; }
+    bool has_header() const { return has_header_; }
     const StreamHeader& header() const { return header_; }
 
     /// Ends the stream. Status: ok; stream_truncated, stream_not_osem, stream_header_damaged,
@@ -83,22 +102,20 @@ class StreamReader {
   private:
     void take(std::uint8_t byte);
     void take_header_byte(std::uint8_t byte);
-    void take_header();
-    void take_node(std::uint8_t may, std::uint8_t must);
+    void take_codes(std::uint8_t byte);
+    void take_code(Colour code);
     void take_trailer_byte(std::uint8_t byte);
     void fail(Status status);
 
     TreeBuilder builder_;
+    PreorderPath path_;
     StreamHeader header_ = {};
     std::uint64_t position_ = 0; ///< of the next byte, or of the fault
-    std::uint32_t nodes_left_ = 0;
     std::uint32_t crc_ = 0;
     std::uint32_t crc_read_ = 0;
     Status status_ = Status::ok;
-    int level_ = 0;        ///< of the last node read
-    std::uint8_t may_ = 0; ///< the first byte of a node
+    bool has_header_ = false;
     std::uint8_t trailer_left_ = 0;
-    std::uint8_t left_[max_depth] = {}; ///< grey children not yet read, a level
     std::uint8_t bytes_[stream_header_size] = {};
 };
 

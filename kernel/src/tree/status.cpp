@@ -60,6 +60,8 @@ const char* describe(Status status) {
         return "level is deeper than the tree";
     case Status::coordinate_out_of_range:
         return "coordinate is out of range";
+    case Status::source_failed:
+        return "source could not be read";
     }
     return "unknown status";
 }

@@ -1,0 +1,2 @@
+#include "osem/stream_cursor.hpp"
+#include "osem/stream_cursor.hpp" // and once more: the guard

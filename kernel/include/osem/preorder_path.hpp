@@ -1,0 +1,56 @@
+// The path of open octants while the codes of a stream go by: what stands where, and whether it may.
+#ifndef OSEM_PREORDER_PATH_HPP
+#define OSEM_PREORDER_PATH_HPP
+
+#include <cstdint>
+
+#include "osem/lattice.hpp"
+#include "osem/node_pool.hpp"
+#include "osem/status.hpp"
+
+namespace osem {
+
+/// Whether the codes of eight children, two bits each, are those of leaves of one colour.
+constexpr bool is_one_leaf(std::uint16_t codes) {
+    return codes == 0x0000U || codes == 0x5555U || codes == 0xffffU;
+}
+
+/// Follows a depth-first expression code by code with O(depth) state, and refuses what no writer gives.
+/// After a fault only begin may follow.
+class PreorderPath {
+  public:
+    /// Starts before the root octant of an expression of `nodes` grey octants, leaves no deeper than `depth`.
+    void begin(int depth, std::uint32_t nodes);
+
+    /// Takes the code of the next octant. Precondition: not whole(). Status: ok; stream_too_deep;
+    /// stream_count_mismatch; stream_not_canonical.
+    Status take(Colour code);
+
+    /// Takes the codes of all eight children of the octant just entered. Precondition: that code was grey,
+    /// and theirs are of leaves of more than one colour. Status: ok; stream_count_mismatch;
+    /// stream_not_canonical.
+    Status take_leaves();
+
+    /// Whether the root octant is complete.
+    bool whole() const { return whole_; }
+    /// Level of the next octant, and which child of its parent it is; 0 and 0 for the root, and when whole.
+    int level() const { return level_; }
+    unsigned child() const { return level_ == 0 ? 0 : groups_[level_ - 1].child; }
+
+  private:
+    Status ascend();
+
+    struct Group {
+        std::uint16_t codes; ///< of the children that went by
+        std::uint8_t child;  ///< how many did
+    };
+    std::uint32_t nodes_left_ = 0;
+    int level_ = 0;
+    std::uint8_t depth_ = 0;
+    bool whole_ = false;
+    Group groups_[max_depth] = {}; ///< of the open octants, the root's first
+};
+
+} // namespace osem
+
+#endif

@@ -1,0 +1,89 @@
+// A walk over a tree that lies in a stream, without reading it into a pool: octant by octant in preorder.
+#ifndef OSEM_STREAM_CURSOR_HPP
+#define OSEM_STREAM_CURSOR_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "osem/lattice.hpp"
+#include "osem/node_pool.hpp"
+#include "osem/preorder_path.hpp"
+#include "osem/status.hpp"
+#include "osem/stream.hpp"
+
+namespace osem {
+
+/// Stands at an octant of a stream and goes on through its payload, reading 61 bytes or more at a time
+/// (fewer at the end), each byte once. All of its state is in the object, O(depth).
+///
+/// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
+/// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. A cursor may
+/// be copied; both then walk on for themselves.
+class StreamCursor {
+  public:
+    /// Reads the header and stands at the root octant. Status: ok; source_failed; stream_truncated or
+    /// stream_trailing_bytes when the source's size is not that of the header's node count; the header's
+    /// faults and those of the first octant, as StreamReader::finish. When not ok the cursor is done.
+    Status begin(const Source& source);
+
+    /// What the header says; meaningful when begin was ok.
+    const StreamHeader& header() const { return header_; }
+
+    /// Whether there is no octant to stand at: the walk is over, a fault was met, or nothing was begun.
+    bool done() const { return done_; }
+
+    /// The octant it stands at: colour, octant and level. Precondition: not done().
+    Colour colour() const { return colour_; }
+    const Octant& octant() const { return octant_; }
+    int level() const { return octant_.level; }
+
+    /// Whether the octant is grey and its children are eight leaves, of more than one colour; `codes` is then
+    /// their colours, two bits each, child 0 lowest. Cost: O(1).
+    bool leaf_children(std::uint16_t& codes) const;
+
+    /// Goes on to the next octant in preorder: the first child of a grey one. Behind the last octant it
+    /// compares the checksum and is done. Precondition: not done(). Cost: O(1) and a read every 244 octants
+    /// or more.
+    void next();
+
+    /// Goes on behind the octant's subtree, whose form is checked on the way. Precondition: not done(). Cost:
+    /// O(nodes of the subtree), those of eight leaves in one piece.
+    void skip();
+
+    /// Goes on as next(), but where leaf_children says so behind all eight children.
+    void next_or_leaves();
+
+    /// Status: ok; source_failed; stream_too_deep; stream_not_canonical; stream_count_mismatch;
+    /// stream_payload_damaged; what begin answered.
+    Status status() const { return status_; }
+
+    /// The byte of the stream at which the fault was seen; without a fault the byte of the octant's code.
+    std::uint64_t offset() const { return offset_; }
+
+  private:
+    void fail(Status status, std::uint64_t offset);
+    Status read_header();
+    bool load();
+    void arrive();
+    void pass_leaves();
+    void end();
+    std::uint64_t byte_of(std::uint64_t code) const;
+
+    Source source_ = {};
+    StreamHeader header_ = {};
+    PreorderPath path_;
+    std::uint64_t loaded_ = 0; ///< the stream's bytes up to here have been read
+    std::uint64_t offset_ = 0;
+    std::uint32_t crc_ = 0;
+    Octant octant_ = {};
+    unsigned at_ = 0;     ///< the next code in the buffer
+    unsigned filled_ = 0; ///< bytes of the buffer
+    Colour colour_ = Colour::white;
+    Status status_ = Status::unfinished;
+    bool done_ = true;
+    std::uint8_t buffer_[64] = {};
+};
+
+} // namespace osem
+
+#endif
