@@ -1,19 +1,12 @@
 #include "osem/classify.hpp"
 
+#include "classify/box.hpp"
 #include "geometry/plane.hpp"
 #include "geometry/sight.hpp"
 
 namespace osem {
 
 namespace {
-
-struct Box {
-    Point lo;
-    Point hi;
-    explicit Box(const Octant& octant) : lo(octant.corner), hi(octant.corner) {
-        for (std::int32_t& coordinate : hi.at) coordinate += octant.side();
-    }
-};
 
 // One bit for each side of the box that a point lies on or behind; 0 means strictly inside. A bit common to
 // all points of a set says that their hull misses the open box.
@@ -77,13 +70,14 @@ auto ahead_of_centre(const Point& p, const Box& box, int axis) {
     return difference(p, box.lo, axis) + difference(p, box.hi, axis);
 }
 
-// Does the line a -> b, seen along the axis that is not u or v, pass through the open square of the box? It
-// does when it passes the centre at less than the reach of the square's corners; both sides are doubled, so
-// that the centre is on the lattice, and carry the line's length.
-bool line_meets_square(const Point& a, const Point& b, const Box& box, int u, int v) {
+// Does the line a -> b, seen along the axis that is not u or v, pass through the open rectangle of the box?
+// It does when it passes the centre at less than the reach of the rectangle's corners; both sides are
+// doubled, so that the centre is on the lattice, and carry the line's length.
+bool line_meets_rectangle(const Point& a, const Point& b, const Box& box, int u, int v) {
     const auto du = difference(b, a, u);
     const auto dv = difference(b, a, v);
-    const auto reach = difference(box.hi, box.lo, u) * (magnitude(du) + magnitude(dv));
+    const auto reach =
+        difference(box.hi, box.lo, v) * magnitude(du) + difference(box.hi, box.lo, u) * magnitude(dv);
     if (reach.value() == 0) return true; // a null axis separates nothing
     const auto passes = du * ahead_of_centre(a, box, v) - dv * ahead_of_centre(a, box, u);
     return magnitude(passes).value() < reach.value();
@@ -100,9 +94,9 @@ bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
         for (std::uint32_t i = 0; i < ring.count; ++i) {
             const Point* b = &solid.vertices[ring.corners[i]];
             const unsigned b_code = outcode(*b, box);
-            if ((a_code & b_code) == 0 && line_meets_square(*a, *b, box, axis_y, axis_z) &&
-                line_meets_square(*a, *b, box, axis_z, axis_x) &&
-                line_meets_square(*a, *b, box, axis_x, axis_y)) {
+            if ((a_code & b_code) == 0 && line_meets_rectangle(*a, *b, box, axis_y, axis_z) &&
+                line_meets_rectangle(*a, *b, box, axis_z, axis_x) &&
+                line_meets_rectangle(*a, *b, box, axis_x, axis_y)) {
                 return true;
             }
             a = b;
@@ -112,12 +106,17 @@ bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
     return false;
 }
 
+// How far the diagonal goes along an axis for a unit along z.
+int lean(const Diagonal& diagonal, const Box& box, int axis) {
+    const bool twice = box.hi.at[axis] - box.lo.at[axis] != box.hi.at[axis_z] - box.lo.at[axis_z];
+    return diagonal.way[axis] * diagonal.way[axis_z] * (twice ? 2 : 1);
+}
+
 // Stages 4 and 5 once no edge meets the open octant: the section of plane and octant lies wholly on one side
 // of every ring, so one point of it decides for all of them. The diagonal passes through the plane in the
 // open octant, and what winds around the diagonal winds around that point.
-Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagonal& diagonal) {
-    const Sight sight(diagonal.from, axis_x, diagonal.way[1] * diagonal.way[0],
-                      diagonal.way[2] * diagonal.way[0]);
+Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagonal& diagonal, const Box& box) {
+    const Sight sight(diagonal.from, axis_z, lean(diagonal, box, axis_x), lean(diagonal, box, axis_y));
     const std::uint32_t outer = solid.first_ring(face);
     const std::uint32_t end = solid.end_ring(face);
     const std::int32_t outer_winding = winding_of_rings(solid, outer, outer + 1, sight);
@@ -129,8 +128,12 @@ Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagona
 } // namespace
 
 Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant& octant) {
-    const Solid& solid = checked.view();
-    const Box box(octant);
+    Box box = {octant.corner, octant.corner};
+    for (std::int32_t& coordinate : box.hi.at) coordinate += octant.side();
+    return classify_box(checked.view(), face, box);
+}
+
+Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box) {
     const std::uint32_t* first = solid.corners + solid.first_corner(solid.first_ring(face));
     const std::uint32_t* end = solid.corners + solid.first_corner(solid.end_ring(face));
     const CornerSurvey survey(solid, first, end, box);
@@ -149,7 +152,7 @@ Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant&
 
     if (any_edge_meets(solid, face, box)) return {Stage::section, true};
     if (!has_area) return {Stage::section, false};
-    return decide_by_section(solid, face, diagonal);
+    return decide_by_section(solid, face, diagonal, box);
 }
 
 } // namespace osem

@@ -1,6 +1,7 @@
 #include "osem/convert.hpp"
 
 #include "classify/crossing.hpp"
+#include "convert/inside.hpp"
 
 namespace osem {
 
@@ -150,19 +151,7 @@ std::int32_t Conversion::winding_at_centre(const Octant& leaf, std::uint32_t fac
 }
 
 Colour Conversion::colour_of(std::int32_t winding) const {
-    bool inside = false;
-    switch (options_.winding) {
-    case WindingRule::nonzero:
-        inside = winding != 0;
-        break;
-    case WindingRule::odd:
-        inside = (winding & 1) != 0;
-        break;
-    case WindingRule::positive:
-        inside = winding > 0;
-        break;
-    }
-    return inside ? Colour::black : Colour::white;
+    return is_inside(options_.winding, winding) ? Colour::black : Colour::white;
 }
 
 TreeOutcome convert(Conversion& job, const CheckedSolid& solid, const ConvertOptions& options,

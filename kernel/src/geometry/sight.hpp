@@ -7,12 +7,13 @@
 
 namespace osem {
 
-/// A line of sight: from a point along an axis, leaning by -1, 0 or 1 along each of the other two axes, u and
-/// v in ascending order, for every unit of the way. So it runs along an axis or a diagonal of a cube. Points
-/// are seen in the plane of u and v, projected along the line; the line itself is seen as the origin.
+/// A line of sight: from a point along an axis, leaning by at most 2 units along each of the other two axes,
+/// u and v in ascending order, for every unit of the way. So it runs along an axis or a diagonal of a cube,
+/// or of a cube halved along one or two axes. Points are seen in the plane of u and v, projected along the
+/// line; the line itself is seen as the origin.
 class Sight {
   public:
-    using Lean = Bounded<-1, 1>;
+    using Lean = Bounded<-2, 2>;
     using Distance = decltype(VertexCoordinate::claim(0) - QueryCoordinate::claim(0));
     using Offset = decltype(Distance::claim(0) - Lean::claim(0) * Distance::claim(0));
 
@@ -45,7 +46,7 @@ class Sight {
 };
 
 /// Which way one turns, standing on the line of sight, from looking at a to looking at b: positive to the
-/// left, u being to the right and v ahead. Antisymmetric. Below 2^44 in magnitude, as its type says.
+/// left, u being to the right and v ahead. Antisymmetric. Below 2^45 in magnitude, as its type says.
 inline auto turn(const Sight::Seen& a, const Sight::Seen& b) { return a.u * b.v - a.v * b.u; }
 
 /// How often the rings [first, end) wind around the line of sight moved by (e, e^2) in u and v for an

@@ -1,0 +1,2 @@
+#include "osem/bintree.hpp"
+#include "osem/bintree.hpp" // and once more: the guard

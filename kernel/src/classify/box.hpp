@@ -1,0 +1,20 @@
+// Faces and boxes: octants, and the halves and quarters of octants that a bintree has between them.
+#ifndef OSEM_CLASSIFY_BOX_HPP
+#define OSEM_CLASSIFY_BOX_HPP
+
+#include "osem/classify.hpp"
+
+namespace osem {
+
+/// An open box of the lattice. Its sides along x and y are each as long as the one along z, or twice as long.
+struct Box {
+    Point lo;
+    Point hi;
+};
+
+/// As classify, for a box within the root.
+Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box);
+
+} // namespace osem
+
+#endif

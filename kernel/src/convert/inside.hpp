@@ -1,0 +1,23 @@
+// What a winding number means.
+#ifndef OSEM_CONVERT_INSIDE_HPP
+#define OSEM_CONVERT_INSIDE_HPP
+
+#include "osem/convert.hpp"
+
+namespace osem {
+
+inline bool is_inside(WindingRule rule, std::int32_t winding) {
+    switch (rule) {
+    case WindingRule::nonzero:
+        return winding != 0;
+    case WindingRule::odd:
+        return (winding & 1) != 0;
+    case WindingRule::positive:
+        return winding > 0;
+    }
+    return false;
+}
+
+} // namespace osem
+
+#endif
