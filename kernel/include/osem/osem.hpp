@@ -4,6 +4,7 @@
 
 #include "osem/bintree.hpp"
 #include "osem/boolean.hpp"
+#include "osem/boundary.hpp"
 #include "osem/bounded.hpp"
 #include "osem/classify.hpp"
 #include "osem/cluster_walk.hpp"
