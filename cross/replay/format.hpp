@@ -41,6 +41,11 @@
 //                  check is one case, each job another
 //     boolean      u32 pool nodes, two operands (options, solid), u8 rows, each u8 operation and a
 //                  tree. A row is a case; its operation is an Operator, or 4: the complement of the first
+//     measure      u8 depth, u32 leaves, the leaves in Morton order; for the inner and for the outer solid:
+//                  u64 volume, three and six moments as two u64 (the high one first), three u64 areas, i64
+//                  Euler characteristic closed and open; u8 labellings, each u8 colours, u8 connectivity, u32
+//                  components, each u64 volume, its box as two points, u8 whether it touches the border. The
+//                  measures are one case, each labelling another
 //
 // `where` is the face for face_not_planar, the vertex for coordinate_off_lattice, the corner for
 // index_out_of_range, the ring for ring_too_short, and 0 otherwise.
@@ -61,10 +66,19 @@ constexpr std::uint8_t format_version = 1;
 constexpr std::int8_t diagonals[4][2] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
 constexpr std::uint32_t end_marker = 0xffffffff;
 
-enum class Topic : std::uint8_t { orientation, plane, classify, crossing, frame, conversion, boolean };
-constexpr std::uint8_t topic_count = 7;
+enum class Topic : std::uint8_t {
+    orientation,
+    plane,
+    classify,
+    crossing,
+    frame,
+    conversion,
+    boolean,
+    measure
+};
+constexpr std::uint8_t topic_count = 8;
 constexpr const char* topic_names[topic_count] = {"orientation", "plane",      "classify", "crossing",
-                                                  "frame",       "conversion", "boolean"};
+                                                  "frame",       "conversion", "boolean",  "measure"};
 
 /// The bits of a `classify` answer.
 constexpr std::uint8_t answer_meets = 1;

@@ -16,6 +16,7 @@ bool replay_crossing(Reader& reader, Arena& arena, Report& report);
 bool replay_frame(Reader& reader, Arena& arena, Report& report);
 bool replay_conversion(Reader& reader, Arena& arena, Report& report);
 bool replay_boolean(Reader& reader, Arena& arena, Report& report);
+bool replay_measure(Reader& reader, Arena& arena, Report& report);
 
 } // namespace osem::cross
 

@@ -23,6 +23,7 @@ void write_all(const std::string& folder) {
         {"frame", vectors::write_frame},
         {"conversion", vectors::write_conversion},
         {"boolean", vectors::write_boolean},
+        {"measure", vectors::write_measure},
     };
     std::filesystem::create_directories(folder);
     vectors::VectorFile::print_table_head();

@@ -13,6 +13,7 @@ void write_crossing(const std::string& folder);
 void write_frame(const std::string& folder);
 void write_conversion(const std::string& folder);
 void write_boolean(const std::string& folder);
+void write_measure(const std::string& folder);
 
 } // namespace vectors
 
