@@ -19,26 +19,15 @@ using Rows = std::vector<Row>;
 constexpr int along[3] = {1, 0, 0};
 constexpr int across[3] = {2, 2, 1};
 
-std::size_t cell_index(const int at[3], int depth) {
-    std::size_t index = 0;
-    for (int bit = 0; bit < depth; ++bit) {
-        for (int axis = 0; axis < 3; ++axis) {
-            index |= static_cast<std::size_t>((at[axis] >> bit) & 1) << (3 * bit + axis);
-        }
-    }
-    return index;
-}
-
 Colour pixel_of(const DenseGrid& grid, const Slice& slice, int row, int column) {
     const int cells = 1 << (grid.depth() - slice.level);
     std::set<Colour> seen;
     for (int v = row * cells; v < (row + 1) * cells; ++v) {
         for (int u = column * cells; u < (column + 1) * cells; ++u) {
-            int at[3] = {};
-            at[slice.axis] = slice.cell / grid.cell_side();
-            at[along[slice.axis]] = u;
-            at[across[slice.axis]] = v;
-            seen.insert(grid[cell_index(at, grid.depth())]);
+            Point cell = {{slice.cell, slice.cell, slice.cell}};
+            cell.at[along[slice.axis]] = u * grid.cell_side();
+            cell.at[across[slice.axis]] = v * grid.cell_side();
+            seen.insert(grid.at(cell));
         }
     }
     return seen.size() == 1 ? *seen.begin() : Colour::boundary;

@@ -22,6 +22,17 @@ Point DenseGrid::corner(std::size_t cell) const {
     return p;
 }
 
+Colour DenseGrid::at(const Point& point) const {
+    std::size_t index = 0;
+    for (int bit = 0; bit < depth_; ++bit) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto part = static_cast<std::size_t>(point.at[axis] / cell_side() >> bit);
+            index |= (part & 1U) << (3 * bit + axis);
+        }
+    }
+    return cells_[index];
+}
+
 std::optional<Colour> DenseGrid::uniform_colour(std::size_t first, std::size_t count) const {
     for (std::size_t i = 1; i < count; ++i) {
         if (cells_[first + i] != cells_[first]) return std::nullopt;

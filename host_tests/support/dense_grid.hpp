@@ -29,6 +29,9 @@ class DenseGrid {
     /// The minimum corner of a cell on the lattice.
     Point corner(std::size_t cell) const;
 
+    /// The colour of the cell that holds a lattice point of the root.
+    Colour at(const Point& point) const;
+
     /// The colour of `count` cells in a row, if it is one.
     std::optional<Colour> uniform_colour(std::size_t first, std::size_t count) const;
 

@@ -28,6 +28,8 @@
 #include "osem/status.hpp"
 #include "osem/stream.hpp"
 #include "osem/stream_cursor.hpp"
+#include "osem/symmetry.hpp"
+#include "osem/transform.hpp"
 #include "osem/tree_builder.hpp"
 
 #endif

@@ -52,6 +52,12 @@ enum class Status : std::uint8_t {
 
     // Source of a stream.
     source_failed, ///< the caller's source did not give the bytes asked for
+
+    // Transform.
+    part_leaves_root, ///< a leaf that is not white would come to lie outside the root octant
+    depth_too_coarse, ///< the result is not exact at the depth asked for
+    octant_invalid,   ///< an octant's level is above 20, or its corner no multiple of its side in the root
+    symmetry_invalid, ///< the axes of a symmetry are no permutation, or its flips are out of range
 };
 
 /// One short lower-case English phrase for a status, without a full stop; never null.

@@ -1,5 +1,6 @@
 #include "osem/query.hpp"
 
+#include "query/cell_box.hpp"
 #include "query/children_in.hpp"
 #include "tree/masks.hpp"
 
@@ -35,17 +36,6 @@ PointOutcome leaf_at(const Octree& tree, const Point& cell) {
 }
 
 namespace {
-
-Status fault_of(const CellBox& box) {
-    Status status = Status::ok;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        const std::int32_t low = box.low.at[axis];
-        const std::int32_t high = box.high.at[axis];
-        if (low < 0 || low > root_side || high < 0 || high > root_side) return Status::point_off_root;
-        if (low >= high) status = Status::box_empty;
-    }
-    return status;
-}
 
 constexpr unsigned near_bit =
     colour_bit(Colour::grey); // solid in or beside the box; free, as no cell is grey

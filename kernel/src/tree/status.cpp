@@ -62,6 +62,14 @@ const char* describe(Status status) {
         return "coordinate is out of range";
     case Status::source_failed:
         return "source could not be read";
+    case Status::part_leaves_root:
+        return "a part would leave the root octant";
+    case Status::depth_too_coarse:
+        return "result is not exact at that depth";
+    case Status::octant_invalid:
+        return "not an octant of the root";
+    case Status::symmetry_invalid:
+        return "not a symmetry of the cube";
     }
     return "unknown status";
 }

@@ -1,0 +1,2 @@
+#include "osem/transform.hpp"
+#include "osem/transform.hpp" // and once more: the guard
