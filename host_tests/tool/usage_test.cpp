@@ -16,8 +16,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names commands = {"check", "convert",    "union",  "intersection", "difference", "xor",
-                        "info",  "complement", "leaves", "image",        "slice",      "carray"};
+const Names commands = {"check",      "convert", "union", "intersection", "difference", "xor",   "info",
+                        "complement", "leaves",  "image", "slice",        "carray",     "query", "collide"};
 
 TEST_F(Tool, HelpListsEveryCommandAndEachHasHelp) {
     const Ran ran = osem({"--help"});

@@ -41,6 +41,8 @@ void add_commands(CLI::App& app, const Console& console) {
     add_complement(app, console);
     add_info(app, console);
     add_measure(app, console);
+    add_query(app, console);
+    add_collide(app, console);
     add_leaves(app, console);
     add_image(app, console);
     add_slice(app, console);

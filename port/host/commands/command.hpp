@@ -17,6 +17,8 @@ void add_combinations(CLI::App& app, const Console& console); ///< union, inters
 void add_complement(CLI::App& app, const Console& console);
 void add_info(CLI::App& app, const Console& console);
 void add_measure(CLI::App& app, const Console& console); ///< measure, components
+void add_query(CLI::App& app, const Console& console);
+void add_collide(CLI::App& app, const Console& console);
 void add_leaves(CLI::App& app, const Console& console);
 void add_image(CLI::App& app, const Console& console);
 void add_slice(CLI::App& app, const Console& console);
