@@ -15,5 +15,8 @@ OSEM_SIZE(ClusterWalk);
 OSEM_SIZE(SurfaceMeasurement);
 OSEM_SIZE(ComponentLabelling);
 OSEM_SIZE(Component);
+OSEM_SIZE(SegmentWalk);
+OSEM_SIZE(NeighbourWalk);
+OSEM_SIZE(Collision);
 OSEM_SIZE(NodeWalk);
 OSEM_SIZE(LeafWalk);

@@ -11,6 +11,9 @@ FEATURE_TEXTS = {
     "check": "and check",
     "measures": "moments, surface and Euler characteristic",
     "components": "connected components",
+    "ray": "rays and segments",
+    "nearest": "face neighbours and the nearest leaf",
+    "collide": "collision of two trees",
     WHOLE: "the whole kernel",
 }
 JOB_TEXTS = {

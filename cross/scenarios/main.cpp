@@ -32,6 +32,9 @@ constexpr Scenario scenarios[] = {
     {"point_queries", point_queries},
     {"box_queries", box_queries},
     {"measures_and_leaves", measures_and_leaves},
+    {"segment_walks", segment_walks},
+    {"neighbours_and_nearest_leaves", neighbours_and_nearest_leaves},
+    {"collisions", collisions},
     {"moments_and_surfaces", moments_and_surfaces},
     {"labelled_components", labelled_components},
 };

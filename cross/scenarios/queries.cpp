@@ -88,4 +88,93 @@ std::uint64_t measures_and_leaves() {
     return digest.value();
 }
 
+namespace {
+
+// Ends in the root, in its faces and outside; some segments run along leaves' faces, edges or diagonals.
+Segment any_segment(Random& random, std::int32_t step) {
+    Segment segment = {};
+    for (int axis = 0; axis < 3; ++axis) {
+        segment.from.at[axis] = (random.below(48) - 16) * step;
+        segment.to.at[axis] = (random.below(48) - 16) * step;
+        if (random.below(4) == 0) segment.to.at[axis] = segment.from.at[axis];
+    }
+    return segment;
+}
+
+void add(Digest& digest, const Parameter& parameter) {
+    digest.add(parameter.numerator);
+    digest.add(parameter.denominator);
+}
+
+} // namespace
+
+std::uint64_t segment_walks() {
+    Digest digest;
+    const Octree tree = plate_tree();
+    Random random(23);
+    for (int i = 0; i < 400; ++i) {
+        const Segment segment = any_segment(random, i % 2 == 0 ? root_side / 16 : 65521);
+        SegmentWalk walk(tree, segment);
+        for (Passage passage = {}; walk.next(passage);) {
+            add(digest, passage.leaf);
+            add(digest, passage.entry);
+            add(digest, passage.exit);
+        }
+        digest.add(walk.visited());
+        SegmentWalk changes(tree, ray(segment.from, segment.to));
+        for (Crossing crossing = {}; changes.next_crossing(crossing);) {
+            add(digest, crossing.at);
+            digest.add(crossing.axis);
+            digest.add(crossing.after);
+        }
+        const HitOutcome hit = first_hit(tree, segment, colour_bit(Colour::black));
+        digest.add(hit.hit);
+        digest.add(hit.visited);
+    }
+    return digest.value();
+}
+
+std::uint64_t neighbours_and_nearest_leaves() {
+    Digest digest;
+    const Octree tree = plate_tree();
+    Random random(24);
+    for (int i = 0; i < 300; ++i) {
+        const Octant octant = leaf_at(tree, any_cell(random)).leaf.octant;
+        const OctantFace face = {static_cast<Axis>(random.below(3)), random.below(2) != 0};
+        const NeighbourOutcome neighbour = face_neighbour(tree, octant, face);
+        add(digest, Leaf{neighbour.octant, neighbour.colour});
+        digest.add(neighbour.visited);
+        NeighbourWalk walk(tree, octant, face);
+        for (Leaf leaf = {}; walk.next(leaf);) add(digest, leaf);
+        const Point from = any_segment(random, 65521).from;
+        const auto colours = static_cast<std::uint8_t>(random.below(16));
+        const NearestOutcome nearest =
+            nearest_leaf(tree, from, colours, i % 2 == 0 ? UINT64_MAX : 1ULL << 36);
+        digest.add(nearest.found);
+        digest.add(nearest.distance);
+        digest.add(nearest.visited);
+        if (nearest.found) add(digest, nearest.leaf);
+    }
+    return digest.value();
+}
+
+std::uint64_t collisions() {
+    Digest digest;
+    const Octree tree = plate_tree();
+    auto& job = fresh<Collision>();
+    Random random(25);
+    for (int i = 0; i < 60; ++i) {
+        const Point offset = any_segment(random, i % 2 == 0 ? root_side / 16 : 65521).from;
+        job.begin(tree, tree, offset);
+        while (job.step(7)) {
+        }
+        const CollisionOutcome found = job.finish();
+        digest.add(found.contact);
+        digest.add(found.visited);
+        add(digest, found.a);
+        add(digest, found.b);
+    }
+    return digest.value();
+}
+
 } // namespace osem::cross

@@ -41,6 +41,9 @@ std::uint64_t damaged_streams();
 std::uint64_t point_queries();
 std::uint64_t box_queries();
 std::uint64_t measures_and_leaves();
+std::uint64_t segment_walks();
+std::uint64_t neighbours_and_nearest_leaves();
+std::uint64_t collisions();
 
 // measures.cpp
 std::uint64_t moments_and_surfaces();
