@@ -27,9 +27,12 @@
 #include "osem/solid.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"
+#include "osem/stream_boolean.hpp"
+#include "osem/stream_builder.hpp"
 #include "osem/stream_cursor.hpp"
 #include "osem/symmetry.hpp"
 #include "osem/transform.hpp"
+#include "osem/stream_query.hpp"
 #include "osem/tree_builder.hpp"
 
 #endif

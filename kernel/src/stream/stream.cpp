@@ -1,34 +1,26 @@
 #include "osem/stream.hpp"
 
+#include "osem/stream_builder.hpp"
 #include "stream/code_walk.hpp"
-#include "stream/code_writer.hpp"
 #include "stream/crc.hpp"
 #include "stream/header.hpp"
 
 namespace osem {
 
-namespace {
-
-std::uint32_t count_nodes(const Octree& tree) {
-    if (tree.top.is_uniform()) return 0;
-    std::uint32_t nodes = 0;
-    for (NodeWalk walk(tree); !walk.done(); walk.next()) ++nodes;
-    return nodes;
-}
-
-} // namespace
-
 Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink) {
     header.depth = tree.depth;
-    header.nodes = count_nodes(tree);
-    CodeWriter writer(sink);
-    writer.put_header(header);
+    header.nodes = 0;
+    if (!tree.top.is_uniform()) {
+        for (NodeWalk walk(tree); !walk.done(); walk.next()) ++header.nodes;
+    }
+    StreamBuilder builder;
+    builder.begin(header, sink);
     CodeWalk walk(tree);
     do {
-        if (!writer.taken()) return Status::sink_refused;
-        writer.put(static_cast<std::uint32_t>(walk.colour()), 1);
+        if (!builder.taken()) return Status::sink_refused;
+        walk.colour() == Colour::grey ? builder.open() : builder.leaf(walk.colour());
     } while (walk.next());
-    return writer.finish() ? Status::ok : Status::sink_refused;
+    return builder.finish();
 }
 
 void StreamReader::begin(NodePool* pool) {

@@ -1,6 +1,5 @@
 // osem union, intersection, difference, xor and complement: octree files to an octree file.
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -9,11 +8,10 @@
 #include "commands/output_option.hpp"
 #include "console/progress.hpp"
 #include "files/decimal.hpp"
-#include "files/host_pool.hpp"
 #include "files/output_file.hpp"
 #include "files/tree_file.hpp"
 #include "mesh/bad_input.hpp"
-#include "osem/boolean.hpp"
+#include "osem/stream_boolean.hpp"
 
 namespace osem::host {
 
@@ -41,51 +39,43 @@ void require_same_leaves(const TreeFile& a, const TreeFile& b) {
                    " leaves; convert both with the same --leaves");
 }
 
-TreeOutcome run_pass(Combination& job, Operator op, const Octree& a, const Octree& b, NodePool& pool,
-                     bool count_only, Progress& progress) {
-    const Status begun = job.begin(op, a, b, pool, count_only);
-    if (begun != Status::ok) throw BadInput(describe(begun));
-    drive(job, progress, count_only ? 0 : 1, 2);
-    const TreeOutcome outcome = job.finish();
-    if (outcome.status != Status::ok) throw BadInput(describe(outcome.status));
-    return outcome;
+// From file to file: no tree is ever in memory. `begin` starts the job with a sink.
+template <class Begin>
+void run(const std::string& output, const Console& console, TreeFile& a, TreeFile& b, const Begin& begin) {
+    OutputFile file(output);
+    StreamCombination job;
+    begin(job, sink_of(file)); // what it refuses, finish refuses too
+    {
+        Progress progress(console, "combining");
+        drive(job, progress, 0, 1);
+    }
+    const StreamCombinationOutcome outcome = job.finish();
+    if (outcome.status == Status::stream_count_mismatch && outcome.offset == 0) {
+        throw BadInput(output + ": the result has too many nodes for a file");
+    }
+    if (outcome.status != Status::ok && outcome.status != Status::sink_refused) {
+        (outcome.operand == 0 ? a : b).refuse(outcome.status, outcome.offset);
+    }
+    file.commit(); // reports a write that was not taken
 }
 
 void run_combination(Operator op, const Operands& files, const Console& console) {
     OutputFile::probe(files.output);
-    TreeFile file_a(files.a);
-    TreeFile file_b(files.b);
-    require_same_frame(file_a, file_b);
-    require_same_leaves(file_a, file_b);
-    auto operands = std::make_unique<HostPool>(std::uint64_t{file_a.nodes()} + file_b.nodes());
-    const Octree a = file_a.read(operands->pool());
-    const Octree b = file_b.read(operands->pool());
-
-    Progress progress(console, "combining");
-    const auto job = std::make_unique<Combination>();
-    const TreeOutcome counted = run_pass(*job, op, a, b, operands->pool(), true, progress);
-    HostPool all(*operands, std::uint64_t{operands->pool().used()} + counted.nodes_needed);
-    operands.reset();
-    const TreeOutcome result =
-        run_pass(*job, op, all.adopted(a), all.adopted(b), all.pool(), false, progress);
-
-    OutputFile output(files.output);
-    write_tree(output, result.tree, file_a.facts());
-    output.commit();
+    TreeFile a(files.a);
+    TreeFile b(files.b);
+    require_same_frame(a, b);
+    require_same_leaves(a, b);
+    run(files.output, console, a, b, [&](StreamCombination& job, const Sink& sink) {
+        static_cast<void>(job.begin(op, a.source(), b.source(), sink));
+    });
 }
 
-void run_complement(const Operands& files) {
+void run_complement(const Operands& files, const Console& console) {
     OutputFile::probe(files.output);
-    TreeFile file(files.a);
-    HostPool pool(2 * std::uint64_t{file.nodes()}); // the complement has a node for each node of the operand
-    const Octree tree = file.read(pool.pool());
-    const auto job = std::make_unique<Combination>();
-    const TreeOutcome result = complement(*job, tree, pool.pool());
-    if (result.status != Status::ok) throw BadInput(describe(result.status));
-
-    OutputFile output(files.output);
-    write_tree(output, result.tree, file.facts());
-    output.commit();
+    TreeFile a(files.a);
+    run(files.output, console, a, a, [&](StreamCombination& job, const Sink& sink) {
+        static_cast<void>(job.begin_complement(a.source(), sink));
+    });
 }
 
 void add_result(CLI::App& command, Operands& operands) {
@@ -114,12 +104,12 @@ void add_combinations(CLI::App& app, const Console& console) {
     add_combination(app, console, "xor", "What lies in exactly one of A and B", Operator::exclusive_or);
 }
 
-void add_complement(CLI::App& app, const Console&) {
+void add_complement(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("complement", "What the root cube holds outside A");
     const auto operands = std::make_shared<Operands>();
     command->add_option("A", operands->a, "Octree file")->required()->type_name("");
     add_result(*command, *operands);
-    command->callback([operands] { run_complement(*operands); });
+    command->callback([operands, &console] { run_complement(*operands, console); });
 }
 
 } // namespace osem::host

@@ -7,9 +7,9 @@
 
 #include "commands/command.hpp"
 #include "files/decimal.hpp"
-#include "files/host_pool.hpp"
 #include "files/tree_file.hpp"
 #include "measure/mass.hpp"
+#include "osem/stream_query.hpp"
 
 namespace osem::host {
 
@@ -23,11 +23,13 @@ std::string hexadecimal(std::uint64_t value) {
 
 void run_info(const std::string& input, std::ostream& out) {
     TreeFile file(input);
-    HostPool pool(file.nodes());
-    const Octree tree = file.read(pool.pool());
+    const StreamMeasures measured = measure(file.source());
+    if (measured.status != Status::ok) file.refuse(measured.status, measured.offset);
+    const StreamDigest digested = digest(file.source());
+    if (digested.status != Status::ok) file.refuse(digested.status, digested.offset);
     const TreeFacts& facts = file.facts();
-    const Measures m = measure(tree);
-    out << "depth " << int{tree.depth} << '\n'
+    const Measures& m = measured.measures;
+    out << "depth " << file.depth() << '\n'
         << "leaf_rule " << leaf_rule_name(facts.leaves) << '\n'
         << "frame " << frame_text(facts.cube) << '\n'
         << "nodes " << m.nodes << '\n'
@@ -38,7 +40,7 @@ void run_info(const std::string& input, std::ostream& out) {
         << "volume_outer " << m.outer_volume << '\n'
         << "volume_inner_world " << decimal(world_volume(m.inner_volume, facts.cube)) << '\n'
         << "volume_outer_world " << decimal(world_volume(m.outer_volume, facts.cube)) << '\n'
-        << "digest " << hexadecimal(digest(tree)) << '\n';
+        << "digest " << hexadecimal(digested.digest) << '\n';
 }
 
 constexpr const char* footer =

@@ -9,8 +9,6 @@
 #include "files/decimal.hpp"
 #include "files/output_file.hpp"
 #include "mesh/bad_input.hpp"
-#include "osem/status.hpp"
-#include "osem/stream.hpp"
 
 namespace osem::host {
 
@@ -75,6 +73,25 @@ void TreeFile::read_header(std::uint64_t size) {
     facts_ = {cube_of(header), static_cast<LeafRule>(header.leaf_rule)};
     if (!is_cube(facts_.cube)) damaged("the frame is not a cube of finite numbers", 8);
     nodes_ = header.nodes;
+    depth_ = header.depth;
+}
+
+void TreeFile::refuse(Status status, std::uint64_t offset) const {
+    if (status == Status::source_failed) throw BadInput(path_ + ": cannot be read");
+    damaged(describe(status), offset);
+}
+
+bool TreeFile::read_at(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count) {
+    std::ifstream& stream = static_cast<TreeFile*>(context)->stream_;
+    if (static_cast<std::uint64_t>(stream.tellg()) != offset)
+        stream.seekg(static_cast<std::streamoff>(offset));
+    stream.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(count));
+    return stream.good();
+}
+
+Source TreeFile::source() {
+    stream_.clear();
+    return Source{read_at, this, stream_size(nodes_)};
 }
 
 Octree TreeFile::read(NodePool& pool) {
@@ -100,9 +117,10 @@ void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts) {
     header.leaf_rule = static_cast<std::uint8_t>(facts.leaves);
     for (std::size_t i = 0; i < 3; ++i) header.frame[i] = bits_of(facts.cube.origin[i]);
     header.frame[3] = bits_of(facts.cube.side);
-    // A refusal by the sink is the stream's own fault state, which commit() reports.
-    static_cast<void>(write_stream(tree, header, Sink{write_bytes, &file.stream()}));
+    static_cast<void>(write_stream(tree, header, sink_of(file))); // commit() reports a refusal
 }
+
+Sink sink_of(OutputFile& file) { return Sink{write_bytes, &file.stream()}; }
 
 const char* leaf_rule_name(LeafRule rule) { return rule == LeafRule::centre ? "centre" : "conservative"; }
 

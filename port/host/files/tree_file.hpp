@@ -9,6 +9,8 @@
 #include "mesh/quantize.hpp"
 #include "osem/convert.hpp"
 #include "osem/octree.hpp"
+#include "osem/status.hpp"
+#include "osem/stream.hpp"
 
 namespace osem::host {
 
@@ -29,13 +31,21 @@ class TreeFile {
 
     const std::string& path() const { return path_; }
     const TreeFacts& facts() const { return facts_; }
-    /// Nodes of the tree; a pool with room for as many can hold it.
+    int depth() const { return depth_; }
+    /// Nodes of the tree, 0 when its root is a leaf; a pool with room for as many can hold it.
     std::uint32_t nodes() const { return nodes_; }
 
     /// Reads the tree into `pool`.
     Octree read(NodePool& pool);
 
+    /// The file as the kernel reads it where it lies; stays with this object.
+    Source source();
+
+    /// Throws what a fault of the kernel's means for this file.
+    [[noreturn]] void refuse(Status status, std::uint64_t offset) const;
+
   private:
+    static bool read_at(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count);
     void read_header(std::uint64_t size);
     [[noreturn]] void damaged(const char* what, std::uint64_t offset) const;
 
@@ -43,7 +53,11 @@ class TreeFile {
     std::ifstream stream_;
     TreeFacts facts_ = {};
     std::uint32_t nodes_ = 0;
+    int depth_ = 0;
 };
+
+/// Takes the bytes of a stream; a refusal is the file's own fault state, which commit() reports.
+Sink sink_of(OutputFile& file);
 
 /// Writes a tree into an output file (without commit).
 void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts);

@@ -1,0 +1,2 @@
+#include "osem/stream_query.hpp"
+#include "osem/stream_query.hpp" // and once more: the guard

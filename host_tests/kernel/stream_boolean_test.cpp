@@ -1,0 +1,218 @@
+// Booleans from stream to stream: their bytes are those of the pool's Booleans, and those of combined grids.
+#include "osem/stream_boolean.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/byte_stream.hpp"
+#include "support/dense_grid.hpp"
+#include "support/heap_pool.hpp"
+#include "support/stream_source.hpp"
+
+namespace osem::tests {
+
+namespace {
+
+constexpr Operator all_operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
+                                      Operator::exclusive_or};
+
+Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
+Source source_of(const Bytes& bytes) { return memory_source(bytes.data(), bytes.size()); }
+
+struct TestSink {
+    Bytes bytes;
+    std::size_t writes = 0;
+    std::size_t refuse_at = SIZE_MAX; ///< the number of writes that are taken
+    bool refused = false;
+
+    Sink sink() { return Sink{write, this}; }
+    static bool write(void* context, const std::uint8_t* bytes, std::size_t count) {
+        auto& self = *static_cast<TestSink*>(context);
+        EXPECT_FALSE(self.refused) << "a write after a refusal";
+        self.refused = self.writes == self.refuse_at;
+        if (self.refused) return false;
+        ++self.writes;
+        self.bytes.insert(self.bytes.end(), bytes, bytes + count);
+        return true;
+    }
+};
+
+// Runs a job, `octants` a step. The progress must grow to the root's volume.
+StreamCombinationOutcome run(StreamCombination& job, std::uint32_t octants) {
+    std::uint64_t decided = 0;
+    while (job.step(octants)) {
+        EXPECT_GE(job.decided_volume(), decided);
+        decided = job.decided_volume();
+        EXPECT_LT(decided, root_volume + 1);
+    }
+    return job.finish();
+}
+
+TEST(StreamBoolean, BytesAreThoseOfTheCombinedGrids) {
+    StreamCombination job;
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        const DenseGrid a = grid_of(seed);
+        const DenseGrid b = grid_of(1000 + 7 * seed); // of another depth, often
+        const int depth = std::max(a.depth(), b.depth());
+        const Bytes bytes_a = stream_of(a);
+        const Bytes bytes_b = stream_of(b);
+        for (const Operator op : all_operators) {
+            TestSink to;
+            const StreamCombinationOutcome outcome =
+                combine(job, op, source_of(bytes_a), source_of(bytes_b), to.sink());
+            ASSERT_EQ(outcome.status, Status::ok) << describe(outcome.status);
+            const Bytes expected = stream_of(combined(op, refined(a, depth), refined(b, depth)));
+            ASSERT_EQ(to.bytes, expected) << "seed " << seed << ", operator " << static_cast<int>(op);
+            EXPECT_EQ(stream_size(outcome.header.nodes), expected.size());
+            EXPECT_EQ(job.decided_volume(), root_volume);
+        }
+        TestSink to;
+        ASSERT_EQ(complement(job, source_of(bytes_a), to.sink()).status, Status::ok);
+        ASSERT_EQ(to.bytes, stream_of(complemented(a))) << "seed " << seed;
+    }
+}
+
+TEST(StreamBoolean, BytesAreThoseOfThePool) {
+    StreamCombination job;
+    Combination in_pool;
+    StreamHeader header = {};
+    header.leaf_rule = 1;
+    for (std::size_t i = 0; i < 4; ++i) header.frame[i] = 100 + i;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        HeapPool pool(40000);
+        const Octree a = planted(grid_of(seed), *pool);
+        const Octree b = planted(grid_of(500 + seed), *pool);
+        const Bytes bytes_a = written(a, header);
+        const Bytes bytes_b = written(b, header);
+        for (const Operator op : all_operators) {
+            TestSink to;
+            ASSERT_EQ(combine(job, op, source_of(bytes_a), source_of(bytes_b), to.sink()).status, Status::ok);
+            EXPECT_EQ(to.bytes, written(combine(in_pool, op, a, b, *pool).tree, header));
+        }
+    }
+}
+
+TEST(StreamBoolean, UniformRootsAndItself) {
+    StreamCombination job;
+    const DenseGrid grid = random_grid(3, 9, three_colours);
+    for (const Colour colour : {Colour::white, Colour::boundary, Colour::black}) {
+        const DenseGrid flat(3, colour);
+        for (const auto& [a, b] : {std::pair{&grid, &flat}, std::pair{&flat, &grid}, std::pair{&flat, &flat},
+                                   std::pair{&grid, &grid}}) {
+            for (const Operator op : all_operators) {
+                TestSink to;
+                const Bytes bytes_a = stream_of(*a);
+                const Bytes bytes_b = stream_of(*b);
+                ASSERT_EQ(combine(job, op, source_of(bytes_a), source_of(bytes_b), to.sink()).status,
+                          Status::ok);
+                EXPECT_EQ(to.bytes, stream_of(combined(op, *a, *b)));
+            }
+        }
+    }
+}
+
+TEST(StreamBoolean, EveryStepBudgetGivesTheSame) {
+    const Bytes a = stream_of(random_grid(3, 21, three_colours));
+    const Bytes b = stream_of(random_grid(4, 22, three_colours));
+    for (const Operator op : all_operators) {
+        StreamCombination job;
+        TestSink expected;
+        ASSERT_EQ(combine(job, op, source_of(a), source_of(b), expected.sink()).status, Status::ok);
+        for (const std::uint32_t octants : {1U, 2U, 3U, 7U}) {
+            TestSink to;
+            ASSERT_EQ(job.begin(op, source_of(a), source_of(b), to.sink()), Status::ok);
+            EXPECT_TRUE(job.step(0));
+            ASSERT_EQ(run(job, octants).status, Status::ok);
+            EXPECT_EQ(to.bytes, expected.bytes);
+        }
+    }
+}
+
+TEST(StreamBoolean, UnfinishedWorkIsSaidToBe) {
+    const Bytes a = stream_of(random_grid(3, 21, three_colours));
+    StreamCombination job;
+    EXPECT_EQ(job.finish().status, Status::unfinished);
+    TestSink to;
+    ASSERT_EQ(job.begin(Operator::unite, source_of(a), source_of(a), to.sink()), Status::ok);
+    EXPECT_TRUE(job.step(5));
+    EXPECT_EQ(job.finish().status, Status::unfinished);
+    EXPECT_FALSE(job.step(5));
+    EXPECT_TRUE(to.bytes.empty()) << "the first pass writes nothing";
+}
+
+TEST(StreamBoolean, ASinkMayRefuseEveryWrite) {
+    const Bytes a = stream_of(random_grid(4, 31, three_colours));
+    const Bytes b = stream_of(random_grid(4, 32, three_colours));
+    StreamCombination job;
+    TestSink whole;
+    ASSERT_EQ(combine(job, Operator::exclusive_or, source_of(a), source_of(b), whole.sink()).status,
+              Status::ok);
+    ASSERT_GT(whole.writes, 4U);
+    for (std::size_t at = 0; at < whole.writes; ++at) {
+        TestSink to;
+        to.refuse_at = at;
+        EXPECT_EQ(combine(job, Operator::exclusive_or, source_of(a), source_of(b), to.sink()).status,
+                  Status::sink_refused);
+        EXPECT_TRUE(to.refused);
+        EXPECT_EQ(to.writes, at);
+    }
+}
+
+TEST(StreamBoolean, ASourceMayFailAtEveryRead) {
+    const Bytes a = stream_of(random_grid(4, 31, three_colours));
+    const Bytes b = stream_of(random_grid(4, 32, three_colours));
+    StreamCombination job;
+    for (const Operator op : all_operators) {
+        for (const unsigned operand : {0U, 1U}) {
+            for (std::size_t at = 0;; ++at) {
+                TestSource source_a(a);
+                TestSource source_b(b);
+                TestSource& failing = operand == 0 ? source_a : source_b;
+                failing.fail_at = at;
+                TestSink to;
+                const StreamCombinationOutcome outcome =
+                    combine(job, op, source_a.source(), source_b.source(), to.sink());
+                if (outcome.status == Status::ok) {
+                    EXPECT_GT(at, 8U);
+                    break;
+                }
+                EXPECT_EQ(outcome.status, Status::source_failed);
+                EXPECT_EQ(outcome.operand, operand);
+                EXPECT_EQ(outcome.offset, failing.asked_at);
+            }
+        }
+    }
+}
+
+// Every operand is read whole before anything is written, so a fault is found wherever it is.
+TEST(StreamBoolean, DamageInEitherOperandIsNamedBeforeAnythingIsWritten) {
+    const Bytes good = stream_of(random_grid(3, 5, three_colours));
+    const Bytes leaf = stream_of(DenseGrid(1, Colour::black)); // decides, and would leave the rest unread
+    StreamCombination job;
+    for (std::size_t at = 0; at < good.size(); ++at) {
+        Bytes bad = good;
+        bad[at] = static_cast<std::uint8_t>(bad[at] ^ (1U << (at % 8)));
+        StreamCursor walk;
+        walk.begin(source_of(bad));
+        while (!walk.done()) walk.next();
+        for (const Operator op : all_operators) {
+            for (const Bytes* other : {&good, &leaf}) {
+                for (const unsigned operand : {0U, 1U}) {
+                    TestSink to;
+                    const StreamCombinationOutcome outcome =
+                        operand == 0 ? combine(job, op, source_of(bad), source_of(*other), to.sink())
+                                     : combine(job, op, source_of(*other), source_of(bad), to.sink());
+                    EXPECT_EQ(outcome.status, walk.status()) << at;
+                    EXPECT_EQ(outcome.offset, walk.offset()) << at;
+                    EXPECT_EQ(outcome.operand, operand) << at;
+                    EXPECT_TRUE(to.bytes.empty());
+                }
+            }
+        }
+        TestSink to;
+        EXPECT_EQ(complement(job, source_of(bad), to.sink()).status, walk.status());
+    }
+}
+
+} // namespace
+
+} // namespace osem::tests

@@ -1,0 +1,86 @@
+// Boolean operators from stream to stream, with O(depth) memory whatever the size of the trees.
+#ifndef OSEM_STREAM_BOOLEAN_HPP
+#define OSEM_STREAM_BOOLEAN_HPP
+
+#include <cstdint>
+
+#include "osem/boolean.hpp"
+#include "osem/stream.hpp"
+#include "osem/stream_builder.hpp"
+#include "osem/stream_cursor.hpp"
+
+namespace osem {
+
+/// Outcome of a Boolean on streams.
+struct StreamCombinationOutcome {
+    Status status;
+    std::uint8_t operand; ///< with a fault of an operand: 0 for a, 1 for b
+    std::uint64_t offset; ///< the byte of that fault; else 0
+    StreamHeader header;  ///< of the result; meaningful when status is ok
+};
+
+/// A Boolean from streams to a stream in progress: begin, step until done, finish. The bytes are those that
+/// write_stream gives of Combination's result; colours follow Kleene's three-valued logic as there. The
+/// sources are read twice: the first pass checks them whole and counts the result's nodes, only then is the
+/// sink written to. All state is in the object.
+class StreamCombination {
+  public:
+    /// Starts `a op b`. The result has the greater depth, frame and leaf rule of `a`; whether `b` has the
+    /// same frame and rule is the caller's to compare. Status: ok; a fault of an operand's header or first
+    /// octant, as StreamCursor::begin.
+    Status begin(Operator op, const Source& a, const Source& b, const Sink& sink);
+
+    /// Starts the complement of `a` in the root octant.
+    Status begin_complement(const Source& a, const Sink& sink);
+
+    /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; false when none is
+    /// left. In all at most twice the octants of both operands. An octant costs O(1) and at times a read or
+    /// a write of at most 64 bytes.
+    bool step(std::uint32_t octants);
+
+    /// Exact progress over both passes: half of the root's volume (2^60 cells) is decided by each.
+    std::uint64_t decided_volume() const { return decided_ / 2; }
+
+    /// Status: ok; unfinished; the faults of StreamCursor, the operand named; sink_refused, after which
+    /// nothing more was written; source_failed also when the second pass did not read what the first one did;
+    /// stream_count_mismatch, operand 0 and offset 0, when the result has more than 2^32 - 1 nodes.
+    StreamCombinationOutcome finish();
+
+  private:
+    enum class Phase : std::uint8_t { idle, counting, writing, done };
+    enum class Held : std::uint8_t { none, a, b };
+
+    Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
+    bool begin_pass();
+    void end_pass();
+    void visit();
+    void advance(bool past_leaves);
+    void release();
+    bool check(const StreamCursor& cursor, std::uint8_t operand);
+    void fail(Status status, std::uint8_t operand, std::uint64_t offset);
+    std::uint16_t codes_of(const StreamCursor& cursor, bool& known) const;
+
+    StreamCursor a_;
+    StreamCursor b_;
+    StreamBuilder builder_;
+    Source source_a_ = {};
+    Source source_b_ = {};
+    Sink sink_ = {};
+    StreamCombinationOutcome outcome_ = {Status::unfinished, 0, 0, {}};
+    std::uint64_t decided_ = 0;
+    Operator op_ = Operator::unite;
+    Phase phase_ = Phase::idle;
+    Held held_ = Held::none; ///< the operand that stays at a leaf while the other one walks below it
+    bool muted_ = false;     ///< the leaf has decided what is below it
+    bool unary_ = false;     ///< there is no b: it is black throughout, and held for good
+    std::uint8_t held_level_ = 0;
+};
+
+/// In one call: begin, step to the end, finish; status and cost are theirs. `job` is the working memory.
+StreamCombinationOutcome combine(StreamCombination& job, Operator op, const Source& a, const Source& b,
+                                 const Sink& sink);
+StreamCombinationOutcome complement(StreamCombination& job, const Source& a, const Sink& sink);
+
+} // namespace osem
+
+#endif

@@ -1,0 +1,78 @@
+// Assembles one canonical stream, octant by octant, in memory fixed beforehand: what TreeBuilder is for
+// pools.
+#ifndef OSEM_STREAM_BUILDER_HPP
+#define OSEM_STREAM_BUILDER_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "osem/lattice.hpp"
+#include "osem/node_pool.hpp"
+#include "osem/status.hpp"
+#include "osem/stream.hpp"
+
+namespace osem {
+
+/// The octants are told in preorder; an octant is closed when it has eight children. Eight leaves of one
+/// colour become one leaf: while all that an open octant holds are leaves of one colour, it is kept back as
+/// one counter a level, so the bytes go out in one pass. The header holds the node count, so there are two
+/// passes of the same calls: the first one counts, the second one writes.
+class StreamBuilder {
+  public:
+    /// Starts a counting pass.
+    void begin();
+    /// Starts writing to `sink`; header.nodes is the count of a counting pass. Precondition: header.leaf_rule
+    /// is 0 or 1.
+    void begin(const StreamHeader& header, const Sink& sink);
+
+    /// The next octant is grey; its eight children follow. Precondition: fewer than max_depth octants are
+    /// open, and the root octant is not closed.
+    void open();
+
+    /// The next octant is a leaf. Precondition: colour is not grey, and the root octant is not closed.
+    void leaf(Colour colour);
+
+    /// The next octant has eight leaf children of these colours, two bits each, child 0 lowest; they may all
+    /// be equal. Preconditions: those of open; no code is grey.
+    void leaves(std::uint16_t codes);
+
+    /// Whether the root octant is closed.
+    bool whole() const { return whole_; }
+    /// Level of the next octant.
+    int level() const { return level_; }
+    /// Grey octants that stand for good.
+    std::uint64_t nodes() const { return nodes_; }
+    /// Whether the sink has taken everything so far; after a refusal nothing more is written.
+    bool taken() const { return taken_; }
+
+    /// Ends the stream. Status: ok; unfinished while the root octant is open; sink_refused.
+    Status finish();
+
+  private:
+    void restart();
+    void flush_pending();
+    void close_full();
+    void put(std::uint32_t codes, unsigned count);
+    void put_byte(std::uint8_t byte);
+    void write_buffer();
+
+    Sink sink_ = {};
+    std::uint64_t nodes_ = 0;
+    std::uint32_t bits_ = 0;
+    std::uint32_t crc_ = 0;
+    unsigned used_ = 0; ///< bits of bits_ in use, fewer than 8 between calls
+    unsigned filled_ = 0;
+    int level_ = 0;
+    int pending_ = 0;               ///< the open octants from this level on are kept back
+    Colour colour_ = Colour::white; ///< of the leaves kept back
+    bool has_leaf_ = false;         ///< whether a leaf is kept back
+    bool writing_ = false;
+    bool taken_ = true;
+    bool whole_ = false;
+    std::uint8_t children_[max_depth] = {}; ///< complete children of each open octant
+    std::uint8_t buffer_[64] = {};
+};
+
+} // namespace osem
+
+#endif

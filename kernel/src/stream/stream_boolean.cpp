@@ -1,0 +1,199 @@
+#include "osem/stream_boolean.hpp"
+
+namespace osem {
+
+namespace {
+
+std::uint16_t low_bits(unsigned bits) { return static_cast<std::uint16_t>(bits); }
+
+// Eight codes at once: `may` is the even bits, `must` the odd ones. A complement's are (~must, ~may), which
+// leaves grey grey.
+unsigned complemented(unsigned codes) {
+    return ~(((codes & 0x5555U) << 1) | ((codes >> 1) & 0x5555U)) & 0xffffU;
+}
+
+// Kleene's connectives; exclusive or is (a and not b) or (not a and b).
+unsigned connected(Operator op, unsigned a, unsigned b) {
+    switch (op) {
+    case Operator::unite:
+        return a | b;
+    case Operator::intersect:
+        return a & b;
+    case Operator::subtract:
+        return a & complemented(b);
+    case Operator::exclusive_or:
+        break;
+    }
+    return (a & complemented(b)) | (complemented(a) & b);
+}
+
+constexpr unsigned all_children = 0x5555U; // times a code: that code eight times
+
+// Whether a leaf decides alone, whatever stands beside it, and as which colour. `is_b` says whose leaf it is.
+bool dominates(Operator op, Colour leaf, bool is_b, Colour& result) {
+    result = leaf;
+    if (op == Operator::unite) return leaf == Colour::black;
+    if (op == Operator::exclusive_or) return leaf == Colour::boundary;
+    result = Colour::white;
+    return leaf == (op == Operator::subtract && is_b ? Colour::black : Colour::white);
+}
+
+} // namespace
+
+Status StreamCombination::begin(Operator op, const Source& a, const Source& b, const Sink& sink) {
+    return start(op, a, &b, sink);
+}
+
+Status StreamCombination::begin_complement(const Source& a, const Sink& sink) {
+    return start(Operator::exclusive_or, a, nullptr, sink); // with black throughout
+}
+
+Status StreamCombination::start(Operator op, const Source& a, const Source* b, const Sink& sink) {
+    op_ = op;
+    source_a_ = a;
+    unary_ = b == nullptr;
+    if (!unary_) source_b_ = *b;
+    sink_ = sink;
+    decided_ = 0;
+    outcome_ = StreamCombinationOutcome{Status::unfinished, 0, 0, {}};
+    phase_ = Phase::counting;
+    builder_.begin();
+    begin_pass();
+    return phase_ == Phase::done ? outcome_.status : Status::ok;
+}
+
+bool StreamCombination::begin_pass() {
+    held_ = unary_ ? Held::b : Held::none;
+    muted_ = false;
+    a_.begin(source_a_);
+    if (!check(a_, 0)) return false;
+    if (unary_) return true;
+    b_.begin(source_b_);
+    return check(b_, 1);
+}
+
+void StreamCombination::fail(Status status, std::uint8_t operand, std::uint64_t offset) {
+    outcome_.status = status;
+    outcome_.operand = operand;
+    outcome_.offset = offset;
+    phase_ = Phase::done;
+}
+
+bool StreamCombination::check(const StreamCursor& cursor, std::uint8_t operand) {
+    if (cursor.status() == Status::ok) return true;
+    fail(cursor.status(), operand, cursor.offset());
+    return false;
+}
+
+bool StreamCombination::step(std::uint32_t octants) {
+    while (phase_ == Phase::counting || phase_ == Phase::writing) {
+        if (octants-- == 0) return true;
+        visit();
+    }
+    return false;
+}
+
+// The codes of the eight children, where they are known to be leaves: those of a leaf are its own.
+std::uint16_t StreamCombination::codes_of(const StreamCursor& cursor, bool& known) const {
+    std::uint16_t codes = 0;
+    if (unary_ && &cursor == &b_) return 0xffffU;
+    if (cursor.colour() != Colour::grey) {
+        return low_bits(all_children * static_cast<unsigned>(cursor.colour()));
+    }
+    known = known && cursor.leaf_children(codes);
+    return codes;
+}
+
+void StreamCombination::visit() {
+    if (muted_) return advance(true);
+    const Colour a = a_.colour();
+    const Colour b = unary_ ? Colour::black : b_.colour();
+    const int level = held_ == Held::a ? b_.level() : a_.level();
+    const bool grey_a = a == Colour::grey;
+    const bool grey_b = b == Colour::grey;
+    bool known = true;
+    const unsigned codes_a = codes_of(a_, known);
+    const unsigned codes_b = codes_of(b_, known);
+    Colour result = Colour::white;
+    if (known) { // two leaves, or all that is below them
+        builder_.leaves(low_bits(connected(op_, codes_a, codes_b)));
+        decided_ += volume_at(level);
+    } else if (grey_a != grey_b && dominates(op_, grey_a ? b : a, grey_a, result)) {
+        builder_.leaf(result);
+        decided_ += volume_at(level);
+        muted_ = true;
+    } else {
+        builder_.open();
+    }
+    if (held_ == Held::none && grey_a != grey_b) {
+        held_ = grey_a ? Held::b : Held::a;
+        held_level_ = static_cast<std::uint8_t>(level);
+    }
+    if (!builder_.taken()) return fail(Status::sink_refused, 0, 0);
+    advance(known || muted_);
+}
+
+// Goes on in both, or below a leaf of the held one; and when that subtree is over, in the held one as well.
+void StreamCombination::advance(bool past_leaves) {
+    if (held_ != Held::a) past_leaves ? a_.next_or_leaves() : a_.next();
+    if (held_ != Held::b) past_leaves ? b_.next_or_leaves() : b_.next();
+    if (held_ != Held::a && !check(a_, 0)) return;
+    if (held_ != Held::b && !check(b_, 1)) return;
+    release();
+}
+
+void StreamCombination::release() {
+    if (held_ != Held::none && !unary_) {
+        const StreamCursor& walker = held_ == Held::a ? b_ : a_;
+        if (!walker.done() && walker.level() > held_level_) return;
+        StreamCursor& held = held_ == Held::a ? a_ : b_;
+        const std::uint8_t operand = held_ == Held::a ? 0 : 1;
+        muted_ = false;
+        held_ = Held::none;
+        held.next();
+        if (!check(held, operand)) return;
+    }
+    if (a_.done()) end_pass();
+}
+
+void StreamCombination::end_pass() {
+    StreamHeader& header = outcome_.header;
+    if (phase_ == Phase::writing) {
+        if (builder_.nodes() != header.nodes) return fail(Status::source_failed, 0, 0);
+        phase_ = Phase::done;
+        outcome_.status = builder_.finish();
+        return;
+    }
+    if (builder_.nodes() > UINT32_MAX) return fail(Status::stream_count_mismatch, 0, 0);
+    header = a_.header();
+    if (!unary_ && b_.header().depth > header.depth) header.depth = b_.header().depth;
+    header.nodes = static_cast<std::uint32_t>(builder_.nodes());
+    if (!begin_pass()) return;
+    phase_ = Phase::writing;
+    builder_.begin(header, sink_);
+    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
+}
+
+StreamCombinationOutcome StreamCombination::finish() {
+    const StreamCombinationOutcome outcome = outcome_;
+    phase_ = Phase::idle;
+    outcome_.status = Status::unfinished;
+    return outcome;
+}
+
+StreamCombinationOutcome combine(StreamCombination& job, Operator op, const Source& a, const Source& b,
+                                 const Sink& sink) {
+    static_cast<void>(job.begin(op, a, b, sink)); // a refusal is finish's as well
+    while (job.step(UINT32_MAX)) {
+    }
+    return job.finish();
+}
+
+StreamCombinationOutcome complement(StreamCombination& job, const Source& a, const Sink& sink) {
+    static_cast<void>(job.begin_complement(a, sink));
+    while (job.step(UINT32_MAX)) {
+    }
+    return job.finish();
+}
+
+} // namespace osem
