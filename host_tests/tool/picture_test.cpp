@@ -1,5 +1,9 @@
 // osem image and osem slice: the PNG files, decoded by a library that did not write them.
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
+#include <set>
 
 #include "support.hpp"
 
@@ -191,6 +195,208 @@ TEST_F(Pictures, AnEmptyTreeIsABackground) {
     const Picture picture = image("none", "iso", "16");
     ASSERT_EQ(picture.width, 16);
     EXPECT_EQ(covered(picture, true), 0);
+}
+
+// Whether something is drawn at a pixel of a shaded picture.
+bool drawn(const Picture& picture, int x, int y, int background_column = 0) {
+    return picture.at(x, y) != picture.at(background_column, y);
+}
+
+TEST_F(Pictures, ACubeFromItsDiagonalIsAHexagonOfThreeEvenFaces) {
+    make_box("box", {0, 0, 0}, {0.5, 0.5, 0.5});
+    const Picture picture = image("box", "iso", "440");
+    // A cube of side s is sqrt(8 / 3) s high in this view, and its outline holds sqrt(3) s^2.
+    const double side = 440 / 1.1 / std::sqrt(8.0 / 3);
+    std::map<Pixel, int> colours;
+    int area = 0;
+    for (int y = 0; y < 440; ++y) {
+        for (int x = 0; x < 440; ++x) {
+            if (!drawn(picture, x, y)) continue;
+            ++area;
+            ++colours[picture.at(x, y)];
+        }
+    }
+    EXPECT_NEAR(area, std::sqrt(3.0) * side * side, 1500); // the outline is 1500 pixels long
+    std::vector<int> counts;
+    for (const auto& colour : colours) counts.push_back(colour.second);
+    std::sort(counts.rbegin(), counts.rend());
+    ASSERT_GE(counts.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(counts[i], side * side / std::sqrt(3.0), 1500);
+}
+
+// Where the unit cube's points are seen from azimuth -60, elevation 20 in a picture fitted to it.
+struct CubeView {
+    using Place = std::array<double, 2>;
+    double low[2] = {1e9, 1e9};
+    double high[2] = {-1e9, -1e9};
+    int size;
+
+    explicit CubeView(int pixels) : size(pixels) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const Place p = flat(corner & 1, corner >> 1 & 1, corner >> 2);
+            for (unsigned k = 0; k < 2; ++k) {
+                low[k] = std::min(low[k], p[k]);
+                high[k] = std::max(high[k], p[k]);
+            }
+        }
+    }
+    static Place flat(double x, double y, double z) {
+        const double a = std::acos(-1.0) / -3;
+        const double e = std::acos(-1.0) / 9;
+        return {-std::sin(a) * x + std::cos(a) * y,
+                std::sin(e) * (std::cos(a) * x + std::sin(a) * y) - std::cos(e) * z};
+    }
+    Place pixel(double x, double y, double z) const {
+        const double scale = size / 1.1 / std::max(high[0] - low[0], high[1] - low[1]);
+        const Place p = flat(x, y, z);
+        return {size / 2.0 + scale * (p[0] - (low[0] + high[0]) / 2),
+                size / 2.0 + scale * (p[1] - (low[1] + high[1]) / 2)};
+    }
+};
+
+int darkest(const Picture& picture, const CubeView::Place& place) {
+    int value = 255;
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+            value = std::min(value,
+                             picture.at(static_cast<int>(place[0]) + x, static_cast<int>(place[1]) + y)[0]);
+        }
+    }
+    return value;
+}
+
+TEST_F(Pictures, AWireframeOfACubeHasItsNineVisibleEdges) {
+    make_box("box", {0, 0, 0}, {0.5, 0.5, 0.5}); // one leaf
+    const CubeView view(400);
+    for (const char* lines : {"leaves", "outline"}) {
+        ASSERT_TRUE(succeeded(osem({"image", path("box.osem"), "-o", path("wire.png"), "--style", "wireframe",
+                                    "--view", "-60,20", "--size", "400", "--lines", lines})));
+        const Picture picture = decoded("wire.png");
+        int visible = 0;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            for (unsigned corner = 0; corner < 4; ++corner) {
+                const unsigned u = (axis + 1) % 3;
+                const unsigned v = (axis + 2) % 3;
+                // Edges of the corner at x = 0, y = 1, z = 0, away from the viewer, are hidden.
+                const auto hidden_at = [](unsigned a) { return a == 1 ? 1U : 0U; };
+                const bool hidden = (corner & 1U) == hidden_at(u) && corner >> 1U == hidden_at(v);
+                visible += hidden ? 0 : 1;
+                for (const double t : {0.3, 0.45, 0.7}) {
+                    double at[3];
+                    at[axis] = t;
+                    at[u] = corner & 1U;
+                    at[v] = corner >> 1U;
+                    const int value = darkest(picture, view.pixel(at[0], at[1], at[2]));
+                    EXPECT_TRUE(hidden ? value == 255 : value < 130)
+                        << value << ' ' << axis << ' ' << corner << ' ' << t;
+                }
+            }
+        }
+        EXPECT_EQ(visible, 9);
+    }
+}
+
+TEST_F(Pictures, ASolidBesideItsExactTreeHasTheSameOutline) {
+    make_box("box", {0.25, 0.25, 0.5}, {0.75, 0.5, 0.75});
+    for (const std::vector<std::string>& look :
+         {std::vector<std::string>{}, {"--style", "wireframe", "--lines", "outline"}}) {
+        for (const char* view : {"iso", "front", "20,-30"}) {
+            std::vector<std::string> line = {
+                "image",          path("box.osem"), "--with", path("box.off"), "-o",
+                path("pair.png"), "--view",         view,     "--size",        "200"};
+            line.insert(line.end(), look.begin(), look.end());
+            ASSERT_TRUE(succeeded(osem(line)));
+            const Picture pair = decoded("pair.png");
+            ASSERT_EQ(pair.width, 400);
+            ASSERT_EQ(pair.height, 200);
+            int different = 0;
+            std::set<Pixel> colours;
+            for (int y = 0; y < 200; ++y) {
+                for (int x = 0; x < 200; ++x) {
+                    const bool same = look.empty() ? drawn(pair, x, y) == drawn(pair, 200 + x, y, 200)
+                                                   : pair.at(x, y) == pair.at(200 + x, y);
+                    different += same ? 0 : 1;
+                    colours.insert(pair.at(x, y));
+                }
+            }
+            EXPECT_EQ(different, 0) << view;
+            EXPECT_GT(colours.size(), 1U) << view;
+        }
+    }
+}
+
+TEST_F(Pictures, AConservativeTreeCoversItsSolidHolesIncluded) {
+    const std::string part = OSEM_SAMPLES_DIR "/bracket.poly";
+    ASSERT_TRUE(succeeded(osem({"convert", part, "-o", path("part.osem"), "--depth", "6"})));
+    ASSERT_TRUE(succeeded(osem({"image", path("part.osem"), "--with", part, "-o", path("pair.png"), "--view",
+                                "front,top,right", "--size", "200"})));
+    const Picture pair = decoded("pair.png");
+    ASSERT_EQ(pair.width, 400);
+    ASSERT_EQ(pair.height, 600);
+    int solid = 0;
+    int tree = 0;
+    for (int y = 0; y < 600; ++y) {
+        for (int x = 0; x < 200; ++x) {
+            if (y % 200 < 24 && x < 80) continue; // labels
+            const bool left = drawn(pair, x, y, 199);
+            const bool right = drawn(pair, 200 + x, y, 199);
+            EXPECT_TRUE(right || !left) << x << ' ' << y;
+            solid += left ? 1 : 0;
+            tree += right ? 1 : 0;
+        }
+    }
+    EXPECT_GT(solid, 10000);
+    EXPECT_LT(tree - solid, solid / 10);
+}
+
+TEST_F(Pictures, ViewsFillAGridRowByRow) {
+    make_box("box", {0, 0.25, 0.5}, {1, 0.75, 0.75});
+    const std::vector<std::string> views = {"iso", "-90,0", "top"};
+    ASSERT_TRUE(succeeded(osem(
+        {"image", path("box.osem"), "-o", path("sheet.png"), "--view", "iso,-90,0,top", "--size", "100"})));
+    const Picture sheet = decoded("sheet.png");
+    ASSERT_EQ(sheet.width, 200);
+    ASSERT_EQ(sheet.height, 200);
+    for (int tile = 0; tile < 4; ++tile) {
+        Picture single;
+        if (tile < 3) single = image("box", views[static_cast<std::size_t>(tile)], "100");
+        int different = 0;
+        int label = 0;
+        for (int y = 0; y < 100; ++y) {
+            for (int x = 0; x < 100; ++x) {
+                const Pixel& expected = tile < 3 ? single.at(x, y) : white;
+                const bool differs = sheet.at(tile % 2 * 100 + x, tile / 2 * 100 + y) != expected;
+                (y < 16 && x < 60 ? label : different) += differs ? 1 : 0;
+            }
+        }
+        EXPECT_EQ(different, 0) << tile;
+        EXPECT_EQ(label > 0, tile < 3) << tile;
+    }
+}
+
+TEST_F(Pictures, AMeshIsDrawnAloneAndTheSameEveryTime) {
+    make_box("box", {0, 0.25, 0.5}, {1, 0.75, 0.75});
+    for (const char* name : {"one.png", "two.png"}) {
+        ASSERT_TRUE(succeeded(
+            osem({"image", path("box.off"), "-o", path(name), "--view", "front", "--size", "220"})));
+    }
+    EXPECT_EQ(read_file(path("one.png")), read_file(path("two.png")));
+    const Picture picture = decoded("one.png");
+    EXPECT_NEAR(covered(picture, true), 200, 2);
+    EXPECT_NEAR(covered(picture, false), 50, 2);
+}
+
+TEST_F(Pictures, ViewsAndCompanionsThatAreNoneAreRefused) {
+    make_box("box", {0, 0, 0}, {0.5, 0.5, 0.5});
+    const auto before = files();
+    for (const char* view : {"", "iso,", "iso,side", "10", "10,91", "iso,10"}) {
+        EXPECT_TRUE(
+            failed(osem({"image", path("box.osem"), "-o", path("out.png"), "--view", view}), 1, "--view"))
+            << view;
+    }
+    EXPECT_TRUE(failed(osem({"image", path("box.off"), "--with", path("box.off"), "-o", path("out.png")}), 1,
+                       "--with"));
+    EXPECT_EQ(files(), before);
 }
 
 } // namespace

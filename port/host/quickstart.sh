@@ -29,6 +29,10 @@ run difference bracket.osem cutter.osem -o cut.osem
 run info cut.osem
 run image bracket.osem -o bracket.png
 run image cut.osem -o cut.png
+run convert "$samples/bracket.poly" --frame $frame --depth 6 -o coarse.osem
+run image coarse.osem --with "$samples/bracket.poly" -o compare.png
+run image coarse.osem --with "$samples/bracket.poly" --style wireframe -o wireframe.png
 run slice cut.osem --axis z --at 20 -o slice.png
 echo
-echo "pictures: $out/bracket.png $out/cut.png $out/slice.png"
+echo "pictures: $out/bracket.png $out/cut.png $out/compare.png"
+echo "          $out/wireframe.png $out/slice.png"

@@ -118,15 +118,6 @@ class Fits {
     std::vector<Fit> fits_;
 };
 
-// The slope of a leaf's face, limited where it is seen edge on.
-Slope face_slope(const Camera& camera, unsigned axis) {
-    constexpr double steepest = 50;
-    const double facing = std::max(std::abs(camera.forward[axis]), 1 / steepest);
-    const double sign = camera.forward[axis] < 0 ? -1 : 1;
-    return {static_cast<float>(-sign * camera.right[axis] / facing),
-            static_cast<float>(-sign * camera.down[axis] / facing)};
-}
-
 // The mean slope of what belongs to one smooth surface around a sample: it hides where one window ended and
 // another took over.
 Slope smoothed(const Samples& samples, const std::vector<Slope>& slopes, int column, int row) {
@@ -165,14 +156,10 @@ std::vector<Slope> smoothed(const Samples& samples, const std::vector<Slope>& sl
 
 } // namespace
 
-std::vector<Slope> surface_slopes(const Samples& samples, const Camera& camera) {
-    std::vector<Slope> slopes(samples.cells(), Slope{0, 0});
-    std::vector<bool> settled(samples.cells(), false);
-    const Slope faces[3] = {face_slope(camera, 0), face_slope(camera, 1), face_slope(camera, 2)};
-    for (std::size_t i = 0; i < samples.cells(); ++i) {
-        settled[i] = samples.depth[i] == no_depth;
-        if (!settled[i]) slopes[i] = faces[samples.axis[i]];
-    }
+std::vector<Slope> surface_slopes(const Samples& samples) {
+    std::vector<Slope> slopes(samples.slope);
+    std::vector<bool> settled(samples.cells());
+    for (std::size_t i = 0; i < samples.cells(); ++i) settled[i] = samples.depth[i] == no_depth;
     if (samples.leaf > largest_leaf) return slopes;
 
     for (const Pass& pass : passes) {
