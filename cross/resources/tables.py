@@ -12,6 +12,8 @@ FEATURE_TEXTS = {
     "measures": "moments, surface and Euler characteristic",
     "components": "connected components",
     "ray": "rays and segments",
+    "stream_query": "point, measures, digest and equality of streams",
+    "stream_boolean": "Booleans from stream to stream",
     "nearest": "face neighbours and the nearest leaf",
     "collide": "collision of two trees",
     WHOLE: "the whole kernel",

@@ -29,6 +29,7 @@ constexpr Scenario scenarios[] = {
     {"compaction", compaction},
     {"stream_bytes", stream_bytes},
     {"damaged_streams", damaged_streams},
+    {"combined_streams", combined_streams},
     {"point_queries", point_queries},
     {"box_queries", box_queries},
     {"measures_and_leaves", measures_and_leaves},

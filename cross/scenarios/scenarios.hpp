@@ -36,6 +36,7 @@ std::uint64_t compaction();
 // streams.cpp
 std::uint64_t stream_bytes();
 std::uint64_t damaged_streams();
+std::uint64_t combined_streams();
 
 // queries.cpp
 std::uint64_t point_queries();

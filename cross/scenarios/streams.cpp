@@ -90,4 +90,66 @@ std::uint64_t damaged_streams() {
     return digest.value();
 }
 
+namespace {
+
+// A stream of its own beside the job that combines it with the one kept.
+struct TwoStreams {
+    StreamCombination job;
+    std::uint8_t first[sizeof bytes.kept];
+    std::size_t count;
+};
+
+void add(Digest& digest, const StreamCombinationOutcome& outcome) {
+    digest.add(outcome.status);
+    digest.add(static_cast<std::uint64_t>(outcome.operand));
+    digest.add(outcome.offset);
+    digest.add(std::uint64_t{outcome.header.nodes});
+}
+
+bool take_digest(void* context, const std::uint8_t* from, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) static_cast<Digest*>(context)->add_byte(from[i]);
+    return true;
+}
+
+void add_answers(Digest& digest, const Source& source) {
+    const StreamMeasures measured = measure(source);
+    digest.add(measured.status);
+    digest.add(measured.measures.inner_volume);
+    digest.add(measured.measures.outer_volume);
+    digest.add(osem::digest(source).digest);
+    const StreamPointOutcome outcome = leaf_at(source, Point{{root_side / 3, root_side / 2, root_side / 3}});
+    digest.add(outcome.point.leaf.colour);
+    digest.add(std::uint64_t{outcome.point.visited});
+    digest.add(outcome.offset);
+}
+
+} // namespace
+
+// Two streams asked, compared and combined by every operator; then a byte of the second one changes.
+std::uint64_t combined_streams() {
+    Digest digest;
+    ConvertOptions options;
+    options.depth = 3;
+    TwoStreams& two = fresh<TwoStreams>();
+    write(converted(octahedron(), options).tree);
+    two.count = bytes.count;
+    for (std::size_t i = 0; i < two.count; ++i) two.first[i] = bytes.kept[i];
+    pool.roll_back(0);
+    options.depth = 2;
+    write(converted(plate(), options).tree);
+    const Source a = memory_source(two.first, two.count);
+    const Source b = memory_source(bytes.kept, bytes.count);
+    const Sink sink = {take_digest, &digest};
+    add_answers(digest, a);
+    add_answers(digest, b);
+    digest.add(std::uint64_t{same_leaves(a, b).same});
+    for (int round = 0; round < 2; ++round) {
+        for (int op = 0; op < 4; ++op) add(digest, combine(two.job, static_cast<Operator>(op), a, b, sink));
+        add(digest, complement(two.job, b, sink));
+        std::uint8_t& middle = bytes.kept[bytes.count / 2];
+        middle = static_cast<std::uint8_t>(middle ^ 4U);
+    }
+    return digest.value();
+}
+
 } // namespace osem::cross

@@ -19,6 +19,56 @@ bool to_memory(void*, const std::uint8_t* bytes, std::size_t length) {
 // A sink that takes nothing, and no stack.
 bool to_nowhere(void*, const std::uint8_t*, std::size_t) { return true; }
 
+StreamCursor cursor;
+StreamBuilder builder;
+StreamCombination combination;
+
+void paint_cursor(const Source& source) {
+    measured("StreamCursor::begin", [&] { use(cursor.begin(source)); });
+    std::uint16_t codes = 0;
+    measured("StreamCursor::leaf_children", [&] { use(cursor.leaf_children(codes)); });
+    measured("StreamCursor::next", [&] { cursor.next(); });
+    measured("StreamCursor::next_or_leaves", [&] { cursor.next_or_leaves(); });
+    measured("StreamCursor::skip", [&] {
+        while (!cursor.done()) cursor.skip();
+    });
+    expect(cursor.status() == Status::ok);
+}
+
+void paint_builder(const Sink& sink) {
+    measured("StreamBuilder::begin", [&] { builder.begin(StreamHeader{1, 0, {}, 1}, sink); });
+    measured("StreamBuilder::open", [&] { builder.open(); });
+    measured("StreamBuilder::leaf", [&] { builder.leaf(Colour::white); });
+    measured("StreamBuilder::leaf", [&] { builder.leaf(Colour::black); });
+    for (int left = 6; left > 0; --left) builder.leaf(Colour::white);
+    measured("StreamBuilder::finish", [&] { use(builder.finish()); });
+    builder.begin();
+    measured("StreamBuilder::leaves", [&] { builder.leaves(1); });
+    expect(builder.whole());
+}
+
+void paint_stream_queries(const Source& source, const Octree& tree) {
+    const Point last = {{root_side - 1, root_side - 1, root_side - 1}};
+    measured("leaf_at", [&] { use(leaf_at(source, last)); });
+    measured("measure", [&] { use(measure(source)); });
+    measured("digest", [&] { use(digest(source)); });
+    measured("same_leaves", [&] { use(same_leaves(source, source)); });
+    measured("same_leaves", [&] { use(same_leaves(source, tree)); });
+}
+
+void paint_stream_booleans(const Source& source, const Sink& sink) {
+    measured("StreamCombination::begin",
+             [&] { use(combination.begin(Operator::exclusive_or, source, source, sink)); });
+    measured("StreamCombination::step", [&] {
+        while (combination.step(100)) {
+        }
+    });
+    measured("StreamCombination::finish", [&] { use(combination.finish()); });
+    measured("StreamCombination::begin_complement", [&] { use(combination.begin_complement(source, sink)); });
+    measured("combine", [&] { use(combine(combination, Operator::unite, source, source, sink)); });
+    measured("complement", [&] { use(complement(combination, source, sink)); });
+}
+
 } // namespace
 
 void paint_streams(const PaintTrees& trees) {
@@ -32,6 +82,12 @@ void paint_streams(const PaintTrees& trees) {
     StreamOutcome outcome = {};
     measured("StreamReader::finish", [&] { outcome = reader.finish(); });
     expect(outcome.built.status == Status::ok && same_leaves(outcome.built.tree, tree));
+    Source source = {};
+    measured("memory_source", [&] { source = memory_source(stream, stream_length); });
+    paint_cursor(source);
+    paint_builder(sink);
+    paint_stream_queries(source, tree);
+    paint_stream_booleans(source, sink);
 }
 
 } // namespace osem::cross
