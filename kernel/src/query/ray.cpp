@@ -22,8 +22,7 @@ Segment ray(const Point& from, const Point& direction) {
         for (unsigned axis = 0; axis < 3; ++axis) to.at[axis] += step.at[axis];
         if (!in_reach(to)) return segment;
         segment.to = to;
-        for (std::int32_t& component : step.at)
-            component *= 2; // below 2^30, as the point before was in reach
+        for (std::int32_t& component : step.at) component *= 2; // below 2^31: the step led to within reach
     }
 }
 
