@@ -46,6 +46,12 @@
 //                  Euler characteristic closed and open; u8 labellings, each u8 colours, u8 connectivity, u32
 //                  components, each u64 volume, its box as two points, u8 whether it touches the border. The
 //                  measures are one case, each labelling another
+//     query        two trees, each u8 depth, u32 leaves, the leaves in Morton order; then four lists, each
+//                  a u8 count and so many cases. Segments in the first tree: two points, u8 crossings, each
+//                  i32 numerator, i32 denominator, u8 axis, u8 colour before, u8 after. Nearest leaves in
+//                  it: a point, u8 colours, u8 found, u64 squared distance, a point: the first cell of the
+//                  leaf. Neighbours in it: an octant (point, u8 level), u8 axis, u8 high, u8 outside, an
+//                  octant, u8 colour. Collisions of the two: the offset as a point, u8 contact
 //
 // `where` is the face for face_not_planar, the vertex for coordinate_off_lattice, the corner for
 // index_out_of_range, the ring for ring_too_short, and 0 otherwise.
@@ -74,11 +80,12 @@ enum class Topic : std::uint8_t {
     frame,
     conversion,
     boolean,
-    measure
+    measure,
+    query
 };
-constexpr std::uint8_t topic_count = 8;
-constexpr const char* topic_names[topic_count] = {"orientation", "plane",      "classify", "crossing",
-                                                  "frame",       "conversion", "boolean",  "measure"};
+constexpr std::uint8_t topic_count = 9;
+constexpr const char* topic_names[topic_count] = {"orientation", "plane",   "classify", "crossing", "frame",
+                                                  "conversion",  "boolean", "measure",  "query"};
 
 /// The bits of a `classify` answer.
 constexpr std::uint8_t answer_meets = 1;

@@ -2,6 +2,7 @@
 #include "osem/measure.hpp"
 #include "osem/components.hpp"
 
+#include "leaf_planter.hpp"
 #include "records.hpp"
 #include "topics.hpp"
 
@@ -67,41 +68,12 @@ void replay_labelling(Reader& reader, Report& report, const Work& work, const Oc
     }
 }
 
-// Builds a tree from its leaves, which come in Morton order.
-class LeafPlanter {
-  public:
-    LeafPlanter(TreeBuilder& builder, NodePool& pool) : builder_(builder) { builder_.begin(&pool); }
-
-    void add(int level, Colour colour) {
-        if (level == 0) {
-            const Node node = Node::uniform(colour);
-            builder_.leaves(node.may, node.must);
-            builder_.close();
-            return;
-        }
-        while (open_ < level - 1) {
-            builder_.open(next_[open_]++);
-            next_[++open_] = 0;
-        }
-        builder_.leaf(next_[open_]++, colour);
-        while (open_ >= 0 && next_[open_] == 8) {
-            builder_.close();
-            --open_;
-        }
-    }
-
-  private:
-    TreeBuilder& builder_;
-    int open_ = 0; ///< level of the innermost open octant
-    std::uint8_t next_[max_depth] = {};
-};
-
 } // namespace
 
 bool replay_measure(Reader& reader, Arena& arena, Report& report) {
     const std::uint8_t depth = reader.u8();
     const std::uint32_t leaves = reader.u32();
-    const std::uint32_t nodes = leaves / 7 + 1; // every node divides one octant into eight
+    const std::uint32_t nodes = nodes_of(leaves);
     Node* const memory = take_nodes(arena, nodes);
     auto* const builder = arena.take<TreeBuilder>(1);
     auto* const surface = arena.take<SurfaceMeasurement>(1);
@@ -110,12 +82,7 @@ bool replay_measure(Reader& reader, Arena& arena, Report& report) {
     if (memory == nullptr || builder == nullptr || surface == nullptr || work.found == nullptr) return false;
     if (work.job == nullptr || work.scratch == nullptr) return false;
     NodePool pool(memory, nodes);
-    LeafPlanter planter(*builder, pool);
-    for (std::uint32_t i = 0; i < leaves; ++i) {
-        const std::uint8_t leaf = reader.u8();
-        planter.add(encoded_level(leaf), static_cast<Colour>(leaf & 3U));
-    }
-    const TreeOutcome outcome = builder->finish(depth);
+    const TreeOutcome outcome = plant_leaves(reader, depth, leaves, *builder, pool);
     report.begin_case();
     report.expect("status of the tree", static_cast<int>(Status::ok), static_cast<int>(outcome.status));
     if (outcome.status != Status::ok) return true;

@@ -17,6 +17,7 @@ bool replay_frame(Reader& reader, Arena& arena, Report& report);
 bool replay_conversion(Reader& reader, Arena& arena, Report& report);
 bool replay_boolean(Reader& reader, Arena& arena, Report& report);
 bool replay_measure(Reader& reader, Arena& arena, Report& report);
+bool replay_query(Reader& reader, Arena& arena, Report& report);
 
 } // namespace osem::cross
 

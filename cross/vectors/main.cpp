@@ -24,6 +24,7 @@ void write_all(const std::string& folder) {
         {"conversion", vectors::write_conversion},
         {"boolean", vectors::write_boolean},
         {"measure", vectors::write_measure},
+        {"query", vectors::write_query},
     };
     std::filesystem::create_directories(folder);
     vectors::VectorFile::print_table_head();

@@ -1,5 +1,5 @@
 // Trees by their leaves, with measures and components found by brute force on their cells.
-#include "format.hpp"
+#include "grid_leaves.hpp"
 #include "support/cell_measures.hpp"
 #include "support/dense_grid.hpp"
 #include "topics.hpp"
@@ -21,7 +21,7 @@ class Writer {
     /// A record of one tree: its measures are a case, every labelling another.
     void add(const DenseGrid& grid) {
         Bytes body;
-        put_leaves(body, grid);
+        put_grid(body, grid);
         put_solid(body, CellSet(grid, osem::inner_solid));
         put_solid(body, CellSet(grid, osem::outer_solid));
         count(grid);
@@ -41,25 +41,6 @@ class Writer {
   private:
     // All cells lie on planes of octants, so nothing touches where it need not: only the border is an end.
     void count(const DenseGrid& grid) { file_.tally().count(false, grid[0] != Colour::white); }
-
-    static void collect(const DenseGrid& grid, std::size_t first, std::size_t cells, int level,
-                        std::vector<std::uint8_t>& leaves) {
-        if (const auto colour = grid.uniform_colour(first, cells)) {
-            leaves.push_back(osem::cross::encoded(level, *colour));
-            return;
-        }
-        for (std::size_t k = 0; k < 8; ++k) {
-            collect(grid, first + k * (cells / 8), cells / 8, level + 1, leaves);
-        }
-    }
-
-    static void put_leaves(Bytes& body, const DenseGrid& grid) {
-        std::vector<std::uint8_t> leaves;
-        collect(grid, 0, grid.size(), 0, leaves);
-        body.u8(static_cast<std::uint64_t>(grid.depth()));
-        body.u32(leaves.size());
-        for (const std::uint8_t leaf : leaves) body.u8(leaf);
-    }
 
     static void put_wide(Bytes& body, const osem::Wide& wide) {
         body.u64(wide.high);

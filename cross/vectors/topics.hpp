@@ -14,6 +14,7 @@ void write_frame(const std::string& folder);
 void write_conversion(const std::string& folder);
 void write_boolean(const std::string& folder);
 void write_measure(const std::string& folder);
+void write_query(const std::string& folder);
 
 } // namespace vectors
 

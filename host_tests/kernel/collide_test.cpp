@@ -12,43 +12,11 @@
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/leaf_list.hpp"
+#include "support/query_oracles.hpp"
 
 namespace osem::tests {
 
 namespace {
-
-// How two leaves meet, b's moved by the offset.
-Contact contact_of(const Leaf& a, const Leaf& b, const Point& offset) {
-    if (a.colour == Colour::white || b.colour == Colour::white) return Contact::clear;
-    bool overlap = true;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        const std::int64_t low_a = a.octant.corner.at[axis];
-        const std::int64_t low_b = std::int64_t{b.octant.corner.at[axis]} + offset.at[axis];
-        const std::int64_t high_a = low_a + a.octant.side();
-        const std::int64_t high_b = low_b + b.octant.side();
-        if (low_a > high_b || low_b > high_a) return Contact::clear;
-        overlap = overlap && low_a < high_b && low_b < high_a;
-    }
-    if (!overlap) return Contact::touch;
-    return a.colour == Colour::black && b.colour == Colour::black ? Contact::certain : Contact::possible;
-}
-
-std::vector<Leaf> solid_cells(const DenseGrid& grid) {
-    std::vector<Leaf> cells;
-    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-        if (grid[cell] == Colour::white) continue;
-        cells.push_back({{grid.corner(cell), static_cast<std::uint8_t>(grid.depth())}, grid[cell]});
-    }
-    return cells;
-}
-
-Contact expected_contact(const std::vector<Leaf>& a, const std::vector<Leaf>& b, const Point& offset) {
-    Contact strongest = Contact::clear;
-    for (const Leaf& of_a : a) {
-        for (const Leaf& of_b : b) strongest = std::max(strongest, contact_of(of_a, of_b, offset));
-    }
-    return strongest;
-}
 
 bool is_leaf_of(const Octree& tree, const Leaf& leaf) {
     return same_leaf(leaf_at(tree, leaf.octant.corner).leaf, leaf);
@@ -104,8 +72,8 @@ TEST(Collision, AgreesWithAllPairsOfCells) {
         HeapPool pool_b(1000);
         const Octree a = planted(grid_a, *pool_a);
         const Octree b = planted(grid_b, *pool_b);
-        const std::vector<Leaf> cells_a = solid_cells(grid_a);
-        const std::vector<Leaf> cells_b = solid_cells(grid_b);
+        const std::vector<Leaf> cells_a = cells_of(grid_a, solid_colours);
+        const std::vector<Leaf> cells_b = cells_of(grid_b, solid_colours);
         for (int i = 0; i < 60; ++i) {
             const Point offset = random_offset(random);
             const Contact expected = expected_contact(cells_a, cells_b, offset);

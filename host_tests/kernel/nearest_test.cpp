@@ -9,59 +9,31 @@
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/leaf_list.hpp"
+#include "support/query_oracles.hpp"
 
 namespace osem::tests {
 
 namespace {
-
-std::uint64_t distance_to(const Point& corner, std::int32_t side, const CellBox& box) {
-    std::uint64_t sum = 0;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        const std::int64_t low = corner.at[axis];
-        const std::int64_t high = low + side;
-        std::int64_t gap = 0;
-        if (box.high.at[axis] < low) gap = low - box.high.at[axis];
-        if (box.low.at[axis] > high) gap = box.low.at[axis] - high;
-        sum += static_cast<std::uint64_t>(gap * gap);
-    }
-    return sum;
-}
-
-struct Nearest {
-    bool found = false;
-    std::size_t cell = 0; // the first in Morton order
-    std::uint64_t distance = 0;
-};
-
-Nearest expected_nearest(const DenseGrid& grid, const CellBox& box, unsigned colours) {
-    Nearest nearest;
-    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-        if (((colours >> static_cast<unsigned>(grid[cell])) & 1U) == 0) continue;
-        const std::uint64_t distance = distance_to(grid.corner(cell), grid.cell_side(), box);
-        if (!nearest.found || distance < nearest.distance) nearest = {true, cell, distance};
-    }
-    return nearest;
-}
 
 // Nodes whose octants are within a distance; the top is looked at in any case.
 std::uint32_t nodes_within(const Octree& tree, const CellBox& box, std::uint64_t distance) {
     std::uint32_t count = 0;
     for (NodeWalk walk(tree); !walk.done(); walk.next()) {
         const Octant& octant = walk.octant();
-        if (octant.level == 0 || distance_to(octant.corner, octant.side(), box) <= distance) ++count;
+        if (octant.level == 0 || distance_to(octant, box) <= distance) ++count;
     }
     return count;
 }
 
 ::testing::AssertionResult agrees(const DenseGrid& grid, const Octree& tree, const CellBox& box,
                                   std::uint8_t colours) {
-    const Nearest nearest = expected_nearest(grid, box, colours);
+    const Nearest nearest = expected_nearest(cells_of(grid, colours), box);
     const NearestOutcome found = nearest_leaf(tree, box, colours);
     if (found.status != Status::ok || found.found != nearest.found) {
         return ::testing::AssertionFailure() << describe(found.status) << " found " << found.found;
     }
     if (!nearest.found) return ::testing::AssertionSuccess();
-    const Leaf leaf = leaf_at(tree, grid.corner(nearest.cell)).leaf;
+    const Leaf leaf = leaf_at(tree, nearest.corner).leaf;
     if (found.distance != nearest.distance || !same_leaf(found.leaf, leaf)) {
         return ::testing::AssertionFailure() << found.distance << ", not " << nearest.distance;
     }
@@ -145,7 +117,7 @@ TEST(NearestLeaf, EveryDepthAndRange) {
             }
             const NearestOutcome found = nearest_leaf(tree, from);
             ASSERT_TRUE(found.found && same_leaf(found.leaf, lone));
-            ASSERT_EQ(found.distance, distance_to(lone.octant.corner, lone.octant.side(), {from, from}));
+            ASSERT_EQ(found.distance, distance_to(lone.octant, {from, from}));
             ASSERT_EQ(found.visited, static_cast<std::uint32_t>(depth));
         }
     }

@@ -10,73 +10,11 @@
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/leaf_list.hpp"
+#include "support/query_oracles.hpp"
 
 namespace osem::tests {
 
 namespace {
-
-// Coordinates are counted in units of a sixteenth of the root, the cells of a grid of depth 4.
-constexpr std::int32_t unit = root_side / 16;
-
-Point in_units(const Point& p) { return {{p.x() * unit, p.y() * unit, p.z() * unit}}; }
-
-// The oracle moves a segment by (e, e^2, e^3) with e = 1 / 4096: differences of parameters of segments up to
-// 64 units long are 0 or at least 1 / 64^2, and e^(k + 1) / e^k is below 1 / 64. Times are t * 4096^3.
-constexpr std::int64_t per_unit = std::int64_t{1} << 36;
-constexpr std::int64_t moved_by[3] = {std::int64_t{1} << 24, std::int64_t{1} << 12, 1};
-
-struct Time {
-    std::int64_t numerator;
-    std::int64_t denominator; // above 0
-    int axis;                 // of the plane met then; -1 at an end of the segment
-    Parameter unmoved;
-    bool operator<(const Time& other) const {
-        return numerator * other.denominator < other.numerator * denominator;
-    }
-};
-
-struct Stay {
-    Leaf leaf;
-    Time entry;
-    Time exit;
-};
-
-Time time_of(std::int32_t plane, std::int32_t from, std::int32_t length, int axis) {
-    const std::int64_t sign = length < 0 ? -1 : 1;
-    const auto step = static_cast<std::int32_t>(sign);
-    return {sign * (plane * per_unit - from * per_unit - moved_by[axis]), sign * length, axis,
-            Parameter{step * (plane - from), step * length}};
-}
-
-// When the segment from p to q (in units) is in the open leaf; false when it never is.
-bool stay_in(const Leaf& leaf, const Point& p, const Point& q, Stay& stay) {
-    stay = {leaf, {0, 1, -1, {0, 1}}, {per_unit, 1, -1, {1, 1}}};
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::int32_t low = leaf.octant.corner.at[axis] / unit;
-        const std::int32_t high = low + leaf.octant.side() / unit;
-        const std::int32_t length = q.at[axis] - p.at[axis];
-        if (length == 0) {
-            if (p.at[axis] < low || p.at[axis] >= high) return false;
-            continue;
-        }
-        Time in = time_of(low, p.at[axis], length, axis);
-        Time out = time_of(high, p.at[axis], length, axis);
-        if (length < 0) std::swap(in, out);
-        if (stay.entry < in) stay.entry = in;
-        if (out < stay.exit) stay.exit = out;
-    }
-    return stay.entry < stay.exit;
-}
-
-std::vector<Stay> expected_stays(const Octree& tree, const Point& p, const Point& q) {
-    std::vector<Stay> stays;
-    Stay stay = {};
-    for (const Leaf& leaf : leaves_of(tree)) {
-        if (stay_in(leaf, p, q, stay)) stays.push_back(stay);
-    }
-    std::sort(stays.begin(), stays.end(), [](const Stay& a, const Stay& b) { return a.entry < b.entry; });
-    return stays;
-}
 
 bool same(const Passage& passage, const Stay& stay) {
     return same_leaf(passage.leaf, stay.leaf) && passage.entry == stay.entry.unmoved &&
@@ -87,7 +25,7 @@ bool same(const Passage& passage, const Stay& stay) {
 }
 
 ::testing::AssertionResult passages_agree(const Octree& tree, const Point& p, const Point& q) {
-    const std::vector<Stay> stays = expected_stays(tree, p, q);
+    const std::vector<Stay> stays = expected_stays(leaves_of(tree), p, q);
     SegmentWalk walk(tree, {in_units(p), in_units(q)});
     if (walk.status() != Status::ok) return ::testing::AssertionFailure() << describe(walk.status());
     Passage passage = {};
@@ -104,26 +42,8 @@ bool same(const Passage& passage, const Stay& stay) {
     return ::testing::AssertionSuccess();
 }
 
-// The colour changes along the stays, the white around the root included.
-std::vector<Crossing> expected_crossings(const std::vector<Stay>& stays) {
-    std::vector<Crossing> crossings;
-    Colour before = Colour::white;
-    for (const Stay& stay : stays) {
-        if (stay.entry.axis >= 0 && stay.leaf.colour != before) {
-            crossings.push_back({stay.entry.unmoved, static_cast<Axis>(stay.entry.axis), before,
-                                 stay.leaf.colour, stay.leaf});
-        }
-        before = stay.leaf.colour;
-    }
-    if (!stays.empty() && stays.back().exit.axis >= 0 && before != Colour::white) {
-        crossings.push_back({stays.back().exit.unmoved, static_cast<Axis>(stays.back().exit.axis), before,
-                             Colour::white, Leaf{root_octant, Colour::white}});
-    }
-    return crossings;
-}
-
 ::testing::AssertionResult crossings_agree(const Octree& tree, const Point& p, const Point& q) {
-    const std::vector<Crossing> expected = expected_crossings(expected_stays(tree, p, q));
+    const std::vector<Crossing> expected = expected_crossings(expected_stays(leaves_of(tree), p, q));
     SegmentWalk walk(tree, {in_units(p), in_units(q)});
     Crossing found = {};
     for (const Crossing& crossing : expected) {
@@ -140,7 +60,7 @@ std::vector<Crossing> expected_crossings(const std::vector<Stay>& stays) {
 }
 
 ::testing::AssertionResult hits_agree(const Octree& tree, const Point& p, const Point& q) {
-    const std::vector<Stay> stays = expected_stays(tree, p, q);
+    const std::vector<Stay> stays = expected_stays(leaves_of(tree), p, q);
     for (std::uint8_t colours = 0; colours < 16; ++colours) {
         const auto first = std::find_if(stays.begin(), stays.end(), [colours](const Stay& stay) {
             return ((colours >> static_cast<unsigned>(stay.leaf.colour)) & 1U) != 0;
