@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "osem/classify.hpp"
+#include "osem/face_walk.hpp"
 #include "osem/octree.hpp"
 #include "osem/solid.hpp"
 #include "osem/tree_builder.hpp"
@@ -64,7 +64,7 @@ class Conversion {
     std::uint32_t nodes_counted() const { return builder_.nodes_counted(); }
 
     /// What each stage rejected and accepted so far.
-    const StageCounts& stages() const { return stages_; }
+    const StageCounts& stages() const { return faces_.stages(); }
 
     /// The tree. Called before step has returned false it gives the conversion up. Status: ok;
     /// pool_exhausted (nodes_missing is 0, for unknown, if given up); unfinished if given up. When not ok the
@@ -72,26 +72,17 @@ class Conversion {
     TreeOutcome finish();
 
   private:
-    struct Frame {
-        std::uint32_t faces;     ///< length of the prefix of the face list that meets this octant
-        std::int32_t winding[8]; ///< of the reference points of the children, where known
-        std::uint8_t known;      ///< mask of the children whose winding is known
-        std::uint8_t child;      ///< the child being visited
+    struct Frame : FaceFrame {
+        std::uint8_t child; ///< the child being visited
     };
     void visit_root();
     void visit_child();
     void enter(const Octant& octant, std::uint32_t faces, std::int32_t winding);
     void leave();
-    std::uint32_t select(const Octant& octant, std::uint32_t faces);
-    std::int32_t crossings(const Point& from, Axis axis, std::int32_t length, std::uint32_t faces) const;
-    std::int32_t winding_of_child(Frame& frame, unsigned child) const;
-    std::int32_t winding_at_centre(const Octant& leaf, std::uint32_t faces, std::int32_t winding) const;
     Colour colour_of(std::int32_t winding) const;
 
-    CheckedSolid solid_ = CheckedSolid::vouched(Solid{});
+    FaceWalk faces_;
     ConvertOptions options_ = {0, LeafRule::conservative, WindingRule::nonzero};
-    std::uint32_t* list_ = nullptr;
-    StageCounts stages_ = {};
     std::uint64_t visited_ = 0;
     Octant octant_ = root_octant; ///< that of the frame on top
     int level_ = 0;               ///< of the frame on top

@@ -12,6 +12,8 @@
 #include "osem/components.hpp"
 #include "osem/config.hpp"
 #include "osem/convert.hpp"
+#include "osem/csg.hpp"
+#include "osem/face_walk.hpp"
 #include "osem/fit.hpp"
 #include "osem/frame.hpp"
 #include "osem/lattice.hpp"

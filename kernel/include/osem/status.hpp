@@ -58,6 +58,10 @@ enum class Status : std::uint8_t {
     depth_too_coarse, ///< the result is not exact at the depth asked for
     octant_invalid,   ///< an octant's level is above 20, or its corner no multiple of its side in the root
     symmetry_invalid, ///< the axes of a symmetry are no permutation, or its flips are out of range
+
+    // Expression.
+    expression_invalid,   ///< a token takes more values than there are, or the tokens leave more than one value
+    expression_too_large, ///< more tokens, operands or repeated operands than the stated bounds
 };
 
 /// One short lower-case English phrase for a status, without a full stop; never null.

@@ -70,6 +70,10 @@ const char* describe(Status status) {
         return "not an octant of the root";
     case Status::symmetry_invalid:
         return "not a symmetry of the cube";
+    case Status::expression_invalid:
+        return "expression is not well formed";
+    case Status::expression_too_large:
+        return "expression is too large";
     }
     return "unknown status";
 }

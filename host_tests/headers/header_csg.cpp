@@ -1,0 +1,2 @@
+#include "osem/csg.hpp"
+#include "osem/csg.hpp"

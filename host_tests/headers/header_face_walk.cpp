@@ -1,0 +1,2 @@
+#include "osem/face_walk.hpp"
+#include "osem/face_walk.hpp"
