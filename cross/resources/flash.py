@@ -8,7 +8,8 @@ from processors import COMPILER, RESOURCES, Failure, run
 # Each program has its own functions and those of the features before it.
 FEATURES = ("query", "booleans", "conversion", "check")
 # Each program has its own functions only.
-ALONE = ("stream_query", "stream_boolean", "ray", "nearest", "collide", "measures", "components")
+ALONE = ("stream_query", "stream_boolean", "ray", "nearest", "collide", "measures", "components", "bintree",
+         "fit")
 WHOLE = "all"  # every function of the kernel
 
 # Bytes of the kernel's own flash that a program may take on any processor, or on the one named.

@@ -16,6 +16,8 @@ FEATURE_TEXTS = {
     "stream_boolean": "Booleans from stream to stream",
     "nearest": "face neighbours and the nearest leaf",
     "collide": "collision of two trees",
+    "bintree": "conversion by a bintree",
+    "fit": "the finest conversion that fits, and pruning",
     WHOLE: "the whole kernel",
 }
 JOB_TEXTS = {

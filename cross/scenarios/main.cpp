@@ -38,6 +38,9 @@ constexpr Scenario scenarios[] = {
     {"collisions", collisions},
     {"moments_and_surfaces", moments_and_surfaces},
     {"labelled_components", labelled_components},
+    {"labelled_blocks", labelled_blocks},
+    {"finest_fits", finest_fits},
+    {"pruned_trees", pruned_trees},
 };
 
 void print_line(const char* name, std::uint64_t digest) {

@@ -50,6 +50,11 @@ std::uint64_t collisions();
 std::uint64_t moments_and_surfaces();
 std::uint64_t labelled_components();
 
+// fits.cpp
+std::uint64_t labelled_blocks();
+std::uint64_t finest_fits();
+std::uint64_t pruned_trees();
+
 } // namespace osem::cross
 
 #endif

@@ -42,8 +42,10 @@ class Fitting {
     int depth() const { return options_.depth; }
     /// Whether the pass under way writes.
     bool writing() const { return writing_; }
-    /// How much of the root's volume (2^60 cells) the pass under way has decided.
+    /// As those of Conversion, for the pass under way.
     std::uint64_t decided_volume() const { return conversion_.decided_volume(); }
+    std::uint64_t octants_visited() const { return conversion_.octants_visited(); }
+    const StageCounts& stages() const { return conversion_.stages(); }
 
     /// The tree. Called before step has returned false it gives the fitting up. Status: ok; unfinished.
     /// When not ok the pool is as it was at begin.
