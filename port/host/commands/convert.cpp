@@ -1,5 +1,4 @@
 // osem convert: a mesh file to an octree file.
-#include <chrono>
 #include <iomanip>
 #include <memory>
 #include <optional>
@@ -11,13 +10,13 @@
 
 #include "commands/choice.hpp"
 #include "commands/command.hpp"
+#include "commands/conversion.hpp"
 #include "commands/output_option.hpp"
 #include "commands/solid_input.hpp"
 #include "console/progress.hpp"
-#include "files/host_pool.hpp"
+#include "files/node_budget.hpp"
 #include "files/output_file.hpp"
 #include "files/tree_file.hpp"
-#include "mesh/bad_input.hpp"
 #include "mesh/quantize.hpp"
 #include "mesh/write_off.hpp"
 #include "osem/convert.hpp"
@@ -26,63 +25,59 @@ namespace osem::host {
 
 namespace {
 
+enum class Technique { divide, bintree };
+
 struct Options {
     std::string input;
     std::string output;
     std::string quantized;
     SolidOptions solid;
     ConvertOptions conversion; ///< but for the winding rule
+    Technique technique = Technique::divide;
+    std::optional<std::uint32_t> nodes; ///< to fit
     bool stats = false;
 };
 
-struct Converted {
-    std::unique_ptr<HostPool> pool;
-    TreeOutcome outcome;
-    double seconds; ///< of the pass that wrote the tree
-};
-
-TreeOutcome run_pass(Conversion& job, const CheckedSolid& solid, const ConvertOptions& options,
-                     std::vector<std::uint32_t>& faces, NodePool* pool, Progress& progress) {
-    const Status begun =
-        job.begin(solid, options, faces.data(), static_cast<std::uint32_t>(faces.size()), pool);
-    if (begun != Status::ok) throw BadInput(describe(begun));
-    drive(job, progress, pool == nullptr ? 0 : 1, 2);
-    return job.finish();
-}
-
-// Twice: the first pass only counts the nodes, so that the second has exactly the memory it needs.
-Converted convert_twice(Conversion& job, const CheckedSolid& solid, const ConvertOptions& options,
-                        Progress& progress) {
-    std::vector<std::uint32_t> faces(convert_scratch(solid.view()));
-    const TreeOutcome counted = run_pass(job, solid, options, faces, nullptr, progress);
-    Converted result = {std::make_unique<HostPool>(counted.nodes_needed), counted, 0.0};
-
-    const auto start = std::chrono::steady_clock::now();
-    result.outcome = run_pass(job, solid, options, faces, &result.pool->pool(), progress);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (result.outcome.status != Status::ok) throw BadInput(describe(result.outcome.status));
-    return result;
-}
-
-void print_stats(std::ostream& out, const Conversion& job, const Converted& converted) {
+void print_stats(std::ostream& out, Technique technique, const Converted& converted) {
     static const char* const names[stage_count] = {"minimax", "plane", "vertices", "section", "holes"};
-    const StageCounts& stages = job.stages();
+    const StageCounts& stages = converted.stages;
     out << "stage             rejected         accepted\n";
     for (int i = 0; i < stage_count; ++i) {
         out << std::left << std::setw(9) << names[i] << std::right << std::setw(17) << stages.rejected[i]
             << std::setw(17) << stages.accepted[i] << '\n';
     }
-    const auto octants = job.octants_visited();
-    out << "octants " << octants << '\n'
-        << "nodes " << measure(converted.outcome.tree).nodes << '\n'
-        << "ns_per_octant "
-        << static_cast<std::uint64_t>(1e9 * converted.seconds / static_cast<double>(octants)) << '\n';
+    const bool blocks = technique == Technique::bintree;
+    out << (blocks ? "blocks " : "octants ") << converted.visited << '\n';
+    for (const auto& [name, count] : converted.counts) out << name << ' ' << count << '\n';
+    out << "nodes " << measure(converted.tree).nodes << '\n'
+        << "memory_bytes " << converted.memory << '\n'
+        << (blocks ? "ns_per_block " : "ns_per_octant ")
+        << static_cast<std::uint64_t>(1e9 * converted.seconds / static_cast<double>(converted.visited))
+        << '\n';
+}
+
+void refuse_contradictions(const Options& options) {
+    const bool centre = options.conversion.leaves == LeafRule::centre;
+    if (centre && options.conversion.depth == max_depth) {
+        throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
+    }
+    if (options.technique == Technique::divide) return;
+    if (centre) throw CLI::ValidationError("--technique", "bintree has no centre leaves");
+    if (options.nodes) throw CLI::ValidationError("--technique", "--fit divides");
+}
+
+Converted convert(const Options& options, const CheckedSolid& solid, WindingRule winding,
+                  const Console& console) {
+    ConvertOptions conversion = options.conversion;
+    conversion.winding = winding;
+    Progress progress(console, "converting");
+    if (options.nodes) return divide_to_fit(solid, conversion, *options.nodes, progress);
+    if (options.technique == Technique::bintree) return label(solid, conversion, progress);
+    return divide(solid, conversion, progress);
 }
 
 void run_convert(const Options& options, const Console& console) {
-    if (options.conversion.leaves == LeafRule::centre && options.conversion.depth == max_depth) {
-        throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
-    }
+    refuse_contradictions(options);
     refuse_same_file("--output", options.output, "the input", options.input);
     if (!options.quantized.empty()) {
         refuse_same_file("--quantized", options.quantized, "the input", options.input);
@@ -93,22 +88,18 @@ void run_convert(const Options& options, const Console& console) {
 
     const IntegerSolid solid = read_solid(options.input, options.solid);
     const CheckedSolid checked = check_solid(options.input, solid);
-    ConvertOptions conversion = options.conversion;
-    conversion.winding = winding_rule(options.solid, solid);
-    const auto job = std::make_unique<Conversion>();
-    std::optional<Progress> progress(std::in_place, console, "converting");
-    const Converted converted = convert_twice(*job, checked, conversion, *progress);
-    progress.reset();
+    const Converted converted = convert(options, checked, winding_rule(options.solid, solid), console);
 
     OutputFile tree_file(options.output);
-    write_tree(tree_file, converted.outcome.tree, {solid.cube, conversion.leaves});
+    write_tree(tree_file, converted.tree, {solid.cube, options.conversion.leaves});
     if (!options.quantized.empty()) {
         OutputFile quantized(options.quantized);
         write_off(quantized.stream(), solid);
         quantized.commit();
     }
     tree_file.commit();
-    if (options.stats) print_stats(console.out, *job, converted);
+    if (options.nodes) console.out << "depth " << int{converted.tree.depth} << '\n';
+    if (options.stats) print_stats(console.out, options.technique, converted);
 }
 
 } // namespace
@@ -131,9 +122,26 @@ void add_convert(CLI::App& app, const Console& console) {
                          "boundary) or centre (black or white, as the leaf's centre)",
                          {{"conservative", LeafRule::conservative}, {"centre", LeafRule::centre}})
         ->type_name("RULE");
+    add_choice<Technique>(
+        *command, "--technique", options->technique,
+        "divide (the default: divide and conquer) or bintree (a bintree and the labelling of its "
+        "components); the trees are the same",
+        {{"divide", Technique::divide}, {"bintree", Technique::bintree}})
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--fit", [options](const std::string& text) { options->nodes = parse_node_budget(text); },
+            "Convert at the finest depth, up to that of --depth, whose tree takes no more from a pool: nodes "
+            "(600) or memory (8KB; units B, KB, MB), the top node not counted. Prints the depth")
+        ->check([](const std::string& text) {
+            return parse_node_budget(text) ? std::string() : "expected nodes of a pool, or B, KB or MB";
+        })
+        ->type_name("SIZE");
     add_solid_options(*command, options->solid);
-    command->add_flag("--stats", options->stats,
-                      "Print faces rejected and accepted by each stage, octants visited, nodes and time");
+    command->add_flag(
+        "--stats", options->stats,
+        "Print faces rejected and accepted by each stage, octants or blocks visited, nodes, memory "
+        "and time");
     add_output(*command, "--quantized", options->quantized,
                "Also write the integer solid actually converted, in lattice units (0 to 2^20)")
         ->type_name("Q.off");

@@ -1,0 +1,40 @@
+// The ways in which `osem convert` comes to a tree.
+#ifndef OSEM_HOST_CONVERSION_HPP
+#define OSEM_HOST_CONVERSION_HPP
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "console/progress.hpp"
+#include "files/host_pool.hpp"
+#include "osem/convert.hpp"
+
+namespace osem::host {
+
+struct Converted {
+    std::unique_ptr<HostPool> pool;
+    Octree tree;
+    double seconds; ///< of the pass that wrote the tree
+    StageCounts stages;
+    std::uint64_t visited; ///< octants or blocks
+    std::uint64_t memory;  ///< bytes of job, scratch and pool
+    /// What else the technique counts, by name.
+    std::vector<std::pair<std::string, std::uint64_t>> counts;
+};
+
+/// Divide and conquer.
+Converted divide(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);
+
+/// Divide and conquer at the finest depth, up to that of the options, of at most so many nodes.
+Converted divide_to_fit(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t nodes,
+                        Progress& progress);
+
+/// A bintree and the labelling of its components. The leaf rule is not looked at.
+Converted label(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);
+
+} // namespace osem::host
+
+#endif
