@@ -23,6 +23,7 @@ void add_collide(CLI::App& app, const Console& console);
 void add_leaves(CLI::App& app, const Console& console);
 void add_image(CLI::App& app, const Console& console);
 void add_slice(CLI::App& app, const Console& console);
+void add_mesh(CLI::App& app, const Console& console);
 void add_carray(CLI::App& app, const Console& console);
 
 } // namespace osem::host
