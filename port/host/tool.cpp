@@ -48,6 +48,7 @@ void add_commands(CLI::App& app, const Console& console) {
     add_image(app, console);
     add_slice(app, console);
     add_mesh(app, console);
+    add_transform(app, console);
     add_carray(app, console);
 }
 

@@ -24,6 +24,7 @@ void add_leaves(CLI::App& app, const Console& console);
 void add_image(CLI::App& app, const Console& console);
 void add_slice(CLI::App& app, const Console& console);
 void add_mesh(CLI::App& app, const Console& console);
+void add_transform(CLI::App& app, const Console& console);
 void add_carray(CLI::App& app, const Console& console);
 
 } // namespace osem::host
