@@ -83,8 +83,9 @@ void TreeFile::refuse(Status status, std::uint64_t offset) const {
 
 bool TreeFile::read_at(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count) {
     std::ifstream& stream = static_cast<TreeFile*>(context)->stream_;
-    if (static_cast<std::uint64_t>(stream.tellg()) != offset)
+    if (static_cast<std::uint64_t>(stream.tellg()) != offset) {
         stream.seekg(static_cast<std::streamoff>(offset));
+    }
     stream.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(count));
     return stream.good();
 }
