@@ -23,6 +23,15 @@ StreamCursor cursor;
 StreamBuilder builder;
 StreamCombination combination;
 
+void paint_path() {
+    PreorderPath path;
+    measured("PreorderPath::begin", [&] { path.begin(1, 1); });
+    Status status = Status::ok;
+    measured("PreorderPath::take", [&] { status = path.take(Colour::grey); });
+    measured("PreorderPath::take_leaves", [&] { status = path.take_leaves(); });
+    expect(status == Status::ok && path.whole());
+}
+
 void paint_cursor(const Source& source) {
     measured("StreamCursor::begin", [&] { use(cursor.begin(source)); });
     std::uint16_t codes = 0;
@@ -84,6 +93,7 @@ void paint_streams(const PaintTrees& trees) {
     expect(outcome.built.status == Status::ok && same_leaves(outcome.built.tree, tree));
     Source source = {};
     measured("memory_source", [&] { source = memory_source(stream, stream_length); });
+    paint_path();
     paint_cursor(source);
     paint_builder(sink);
     paint_stream_queries(source, tree);
