@@ -6,7 +6,26 @@ from processors import Failure
 from public_functions import declared, readable_names
 
 # Functions that call through a pointer, and whose stack comes on top.
-CALLS_BACK = {"write_stream": "the sink's"}
+CALLS_BACK = {
+    "write_stream": "the sink's",
+    "StreamCursor::begin": "the source's",
+    "StreamCursor::next": "the source's",
+    "StreamCursor::next_or_leaves": "the source's",
+    "StreamCursor::skip": "the source's",
+    "StreamBuilder::begin": "the sink's",
+    "StreamBuilder::leaf": "the sink's",
+    "StreamBuilder::leaves": "the sink's",
+    "StreamBuilder::finish": "the sink's",
+    "StreamCombination::begin": "the source's and the sink's",
+    "StreamCombination::begin_complement": "the source's and the sink's",
+    "StreamCombination::step": "the source's and the sink's",
+    "combine": "the source's and the sink's of streams",
+    "complement": "the source's and the sink's of streams",
+    "leaf_at": "the source's of a stream",
+    "measure": "the source's of a stream",
+    "digest": "the source's of a stream",
+    "same_leaves": "the source's of streams",
+}
 
 TARGET = 1024  # bytes, for each function
 
