@@ -18,6 +18,7 @@ FEATURE_TEXTS = {
     "collide": "collision of two trees",
     "bintree": "conversion by a bintree",
     "fit": "the finest conversion that fits, and pruning",
+    "csg": "expressions over solids, trees and streams",
     WHOLE: "the whole kernel",
 }
 JOB_TEXTS = {

@@ -22,10 +22,10 @@ constexpr std::size_t workspace_size = 3072;
 extern unsigned char workspace[workspace_size];
 
 /// A new job, or scratch of any plain type, in the workspace; what stood there before is gone.
-template <class Job>
-Job& fresh() {
+template <class Job, class... Arguments>
+Job& fresh(const Arguments&... arguments) {
     static_assert(sizeof(Job) <= workspace_size && alignof(Job) <= 8, "has to fit the workspace");
-    return *new (workspace) Job();
+    return *new (workspace) Job(arguments...);
 }
 
 /// Checks and converts a solid of at most most_corners corners and 32 faces into the pool, or, without one,

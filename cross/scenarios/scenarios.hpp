@@ -38,6 +38,12 @@ std::uint64_t stream_bytes();
 std::uint64_t damaged_streams();
 std::uint64_t combined_streams();
 
+// csg.cpp
+std::uint64_t expressions_conservative();
+std::uint64_t expressions_centre();
+std::uint64_t expressions_of_damaged_streams();
+std::uint64_t evaluated_expressions();
+
 // queries.cpp
 std::uint64_t point_queries();
 std::uint64_t box_queries();

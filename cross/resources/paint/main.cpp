@@ -36,6 +36,7 @@ bool paint_all() {
     paint_measures(trees);
     paint_trees(trees);
     paint_streams(trees);
+    paint_csg(trees);
     paint_memory(trees);
     return good;
 }

@@ -39,6 +39,7 @@ void paint_queries(const PaintTrees& trees);
 void paint_measures(const PaintTrees& trees);
 void paint_trees(const PaintTrees& trees);
 void paint_streams(const PaintTrees& trees);
+void paint_csg(const PaintTrees& trees);
 void paint_memory(const PaintTrees& trees); ///< comes last: it moves the trees
 
 } // namespace osem::cross
