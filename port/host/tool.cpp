@@ -39,6 +39,7 @@ void add_commands(CLI::App& app, const Console& console) {
     add_convert(app, console);
     add_combinations(app, console);
     add_complement(app, console);
+    add_csg(app, console);
     add_coarsen(app, console);
     add_info(app, console);
     add_measure(app, console);

@@ -16,6 +16,7 @@ void add_convert(CLI::App& app, const Console& console);
 void add_combinations(CLI::App& app, const Console& console); ///< union, intersection, difference, xor
 void add_complement(CLI::App& app, const Console& console);
 void add_coarsen(CLI::App& app, const Console& console);
+void add_csg(CLI::App& app, const Console& console);
 void add_info(CLI::App& app, const Console& console);
 void add_measure(CLI::App& app, const Console& console); ///< measure, components
 void add_query(CLI::App& app, const Console& console);

@@ -42,7 +42,11 @@ void add_solid_options(CLI::App& command, SolidOptions& options) {
 IntegerSolid read_solid(const std::string& path, const SolidOptions& options) {
     const Mesh mesh = read_mesh(path);
     const std::optional<WorldCube> cube = parse_frame(options.frame);
-    return naming(path, [&] { return quantize(mesh, cube ? *cube : default_cube(mesh)); });
+    return solid_in(cube ? *cube : naming(path, [&] { return default_cube(mesh); }), path, mesh);
+}
+
+IntegerSolid solid_in(const WorldCube& cube, const std::string& path, const Mesh& mesh) {
+    return naming(path, [&] { return quantize(mesh, cube); });
 }
 
 WindingRule winding_rule(const SolidOptions& options, const IntegerSolid& solid) {

@@ -24,6 +24,9 @@ void add_solid_options(CLI::App& command, SolidOptions& options);
 /// Reads a mesh and puts it on the lattice of the cube asked for. Refusals name the file.
 IntegerSolid read_solid(const std::string& path, const SolidOptions& options);
 
+/// Puts a mesh that was read from `path` on the lattice of a cube. Refusals name the file.
+IntegerSolid solid_in(const WorldCube& cube, const std::string& path, const Mesh& mesh);
+
 /// The winding rule asked for, or the one that suits the file: odd where it gives no orientation.
 WindingRule winding_rule(const SolidOptions& options, const IntegerSolid& solid);
 
