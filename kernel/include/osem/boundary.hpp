@@ -104,6 +104,7 @@ class Boundary {
     std::uint64_t walked_volume() const;
 
   private:
+    /// In the order of work: up to ready the surface's, from there an emission's.
     enum class Phase : std::uint8_t { idle, gather, sort_out, sort_in, trace, nest, ready, vertices, faces };
 
     /// Walks the solid leaves, and finds the leaf of any cell from the ancestor that the two share.
@@ -129,6 +130,8 @@ class Boundary {
     };
 
     bool work();
+    bool piece();
+    Phase successor() const;
     bool gather();
     bool sort();
     bool trace();

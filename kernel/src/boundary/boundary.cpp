@@ -28,40 +28,23 @@ bool Boundary::step(std::uint32_t units) {
 
 // One piece; false when that was the last.
 bool Boundary::work() {
-    switch (phase_) {
-    case Phase::gather:
-        if (gather()) return true;
-        enter(is_storing() ? Phase::sort_out : Phase::ready);
-        break;
-    case Phase::sort_out:
-        if (sort()) return true;
-        enter(Phase::sort_in);
-        break;
-    case Phase::sort_in:
-        if (sort()) return true;
-        enter(Phase::trace);
-        break;
-    case Phase::trace:
-        if (trace()) return true;
-        enter(Phase::nest);
-        break;
-    case Phase::nest:
-        if (nest()) return true;
-        enter(Phase::ready);
-        break;
-    case Phase::vertices:
-        if (emit_vertices()) return true;
-        enter(emission_ == Status::ok ? Phase::faces : Phase::ready);
-        break;
-    case Phase::faces:
-        if (emit_face()) return true;
-        enter(Phase::ready);
-        break;
-    case Phase::idle:
-    case Phase::ready:
-        break;
-    }
+    if (piece()) return true;
+    enter(successor());
     return phase_ != Phase::ready;
+}
+
+// False when the phase has none left.
+bool Boundary::piece() {
+    if (phase_ < Phase::trace) return phase_ == Phase::gather ? gather() : sort();
+    if (phase_ < Phase::ready) return phase_ == Phase::trace ? trace() : nest();
+    return phase_ == Phase::vertices ? emit_vertices() : emit_face();
+}
+
+Boundary::Phase Boundary::successor() const {
+    const bool over = phase_ == Phase::gather     ? !is_storing()
+                      : phase_ == Phase::vertices ? emission_ != Status::ok
+                                                  : phase_ == Phase::faces;
+    return over ? Phase::ready : static_cast<Phase>(static_cast<unsigned>(phase_) + 1U);
 }
 
 void Boundary::enter(Phase phase) {

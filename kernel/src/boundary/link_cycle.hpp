@@ -24,11 +24,15 @@ struct Quad {
     unsigned last_way() const { return (first_way() + 1U) & 3U; }
 };
 
+/// The next axis in cyclic order.
+constexpr unsigned axis_after(unsigned axis) { return axis == 2U ? 0U : axis + 1U; }
+
 /// The axis that the ways 0 and 2 (0) or 1 and 3 (1) run along in a plane. Seen from outside, the second one
 /// is a quarter turn counter-clockwise from the first.
 constexpr unsigned plane_axis(unsigned facing, unsigned way) {
     const unsigned turned = (way & 1U) ^ ((facing & 1U) ^ 1U);
-    return (facing / 2U + 1U + turned) % 3U;
+    const unsigned first = axis_after(facing / 2U);
+    return turned == 0 ? first : axis_after(first);
 }
 
 /// The squares of one sheet around a point, counter-clockwise as seen from outside.

@@ -94,8 +94,8 @@ void Boundary::divide_edge(const Point& at, const LinkCycle& cycle, unsigned cre
 
 // Whether a cut edge leaves a point along an axis, `cell` and the cell across the edge being solid.
 bool Boundary::is_cut(const Point& at, unsigned axis, unsigned cell) const {
-    const unsigned one = 1U << ((axis + 1U) % 3U);
-    const unsigned other = 1U << ((axis + 2U) % 3U);
+    const unsigned one = 1U << axis_after(axis);
+    const unsigned other = 1U << axis_after(axis_after(axis));
     const auto solid = [this, &at](unsigned c) { return walk_.solid_side(cell_at(at, c)) != 0; };
     return solid(cell) && solid(cell ^ one ^ other) && !solid(cell ^ one) && !solid(cell ^ other);
 }
