@@ -38,7 +38,8 @@ class HeaderReader:
 
     def declare(self, statement):
         declared = DECLARED.search(statement)
-        excluded = re.search(r"=\s*(delete|default)|static_assert|\busing\b|\(\s*\*", statement)
+        # The last: a variable, whatever its initialiser calls.
+        excluded = re.search(r"=\s*(delete|default)|static_assert|\busing\b|\(\s*\*|^[^(]*=", statement)
         visible = all(name and public for name, public in self.scopes)
         if declared and visible and not excluded:
             self.functions.add("::".join([name for name, _ in self.scopes[1:]] + [declared.group(1)]))

@@ -7,7 +7,7 @@ namespace {
 
 void measure_segments(const Octree& tree) {
     Segment segment = {};
-    measured("ray", [&] { segment = ray({{-root_side, -1000, 777}}, {{1000, 700, 300}}); });
+    measured("ray", [&] { segment = ray({{-root_side, 200000, 300000}}, {{1000, 200, 130}}); });
     SegmentWalk walk(tree, segment);
     measured("SegmentWalk::SegmentWalk", [&] {
         const SegmentWalk made(tree, segment);
