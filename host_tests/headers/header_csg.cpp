@@ -1,2 +1,2 @@
 #include "osem/csg.hpp"
-#include "osem/csg.hpp"
+#include "osem/csg.hpp" // and once more: the guard

@@ -32,9 +32,9 @@
 #include "osem/stream_boolean.hpp"
 #include "osem/stream_builder.hpp"
 #include "osem/stream_cursor.hpp"
+#include "osem/stream_query.hpp"
 #include "osem/symmetry.hpp"
 #include "osem/transform.hpp"
-#include "osem/stream_query.hpp"
 #include "osem/tree_builder.hpp"
 
 #endif

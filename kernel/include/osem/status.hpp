@@ -60,7 +60,7 @@ enum class Status : std::uint8_t {
     symmetry_invalid, ///< the axes of a symmetry are no permutation, or its flips are out of range
 
     // Expression.
-    expression_invalid,   ///< a token takes more values than there are, or the tokens leave more than one value
+    expression_invalid, ///< a token takes more values than there are, or the tokens leave more than one value
     expression_too_large, ///< more tokens, operands or repeated operands than the stated bounds
 };
 
