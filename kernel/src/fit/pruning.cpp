@@ -8,6 +8,17 @@ namespace {
 // Below the root an octant holds at most 2^57 cells: at this price none is kept.
 constexpr std::uint64_t highest_price = volume_at(1);
 
+// What is left of a cost once `units` at a price are taken off; 0 when they come to more. The product is made
+// of 32-bit halves, as it may need more than 64 bits and the target need not have a divider to compare by.
+// Precondition: price <= highest_price, so that no part of the product overflows.
+std::uint64_t cost_less(std::uint64_t cost, std::uint64_t price, std::uint32_t units) {
+    const std::uint64_t low = (price & UINT32_MAX) * units;
+    const std::uint64_t high = (price >> 32) * units + (low >> 32);
+    if (high > UINT32_MAX) return 0;
+    const std::uint64_t product = (high << 32) | (low & UINT32_MAX);
+    return product > cost ? 0 : cost - product;
+}
+
 bool has_known_leaf(const Node& node) { return (blacks(node) | whites(node)) != 0; }
 
 } // namespace
@@ -47,9 +58,8 @@ void Pruning::appraised() {
         choose_price(kept);
         return;
     }
-    const std::uint64_t cost = appraisal_.cost_below();
     room_ = budget_ - kept;
-    least_loss_ = budget_ != 0 && price_ > cost / budget_ ? 0 : cost - price_ * budget_;
+    least_loss_ = cost_less(appraisal_.cost_below(), price_, budget_);
     start_writing();
 }
 
