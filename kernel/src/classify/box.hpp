@@ -12,6 +12,12 @@ struct Box {
     Point hi;
 };
 
+inline Box box_of(const Octant& octant) {
+    Box box = {octant.corner, octant.corner};
+    for (std::int32_t& coordinate : box.hi.at) coordinate += octant.side();
+    return box;
+}
+
 /// As classify, for a box within the root.
 Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box);
 

@@ -49,16 +49,16 @@ bool all_in_closed(const Solid& solid, const std::uint32_t* corner, const std::u
 struct Diagonal {
     Point from;
     Point to;
-    int way[3]; // 1 or -1 along each axis
 
-    Diagonal(const Plane& plane, const Box& box) : from(box.lo), to(box.hi), way{1, 1, 1} {
+    Diagonal(const Plane& plane, const Box& box) : from(box.lo), to(box.hi) {
         for (int axis = 0; axis < 3; ++axis) {
             if (plane.normal(axis).sign() >= 0) continue;
             from.at[axis] = box.hi.at[axis];
             to.at[axis] = box.lo.at[axis];
-            way[axis] = -1;
         }
     }
+
+    std::int32_t along(int axis) const { return to.at[axis] - from.at[axis]; }
 };
 
 bool plane_meets(const Plane& plane, const Diagonal& diagonal) {
@@ -70,17 +70,21 @@ auto ahead_of_centre(const Point& p, const Box& box, int axis) {
     return difference(p, box.lo, axis) + difference(p, box.hi, axis);
 }
 
-// Does the line a -> b, seen along the axis that is not u or v, pass through the open rectangle of the box?
-// It does when it passes the centre at less than the reach of the rectangle's corners; both sides are
-// doubled, so that the centre is on the lattice, and carry the line's length.
-bool line_meets_rectangle(const Point& a, const Point& b, const Box& box, int u, int v) {
-    const auto du = difference(b, a, u);
-    const auto dv = difference(b, a, v);
-    const auto reach =
-        difference(box.hi, box.lo, v) * magnitude(du) + difference(box.hi, box.lo, u) * magnitude(dv);
-    if (reach.value() == 0) return true; // a null axis separates nothing
-    const auto passes = du * ahead_of_centre(a, box, v) - dv * ahead_of_centre(a, box, u);
-    return magnitude(passes).value() < reach.value();
+// Does the line a -> b, seen along each axis, pass through the open rectangle of the box? It does when it
+// passes the centre at less than the reach of the rectangle's corners; both sides are doubled, so that the
+// centre is on the lattice, and carry the line's length.
+bool line_meets_rectangles(const Point& a, const Point& b, const Box& box) {
+    for (int u = 0; u < 3; ++u) {
+        const int v = u == 2 ? 0 : u + 1;
+        const auto du = difference(b, a, u);
+        const auto dv = difference(b, a, v);
+        const auto reach =
+            difference(box.hi, box.lo, v) * magnitude(du) + difference(box.hi, box.lo, u) * magnitude(dv);
+        if (reach.value() == 0) continue; // a null axis separates nothing
+        const auto passes = du * ahead_of_centre(a, box, v) - dv * ahead_of_centre(a, box, u);
+        if (magnitude(passes).value() >= reach.value()) return false;
+    }
+    return true;
 }
 
 // Closed segment against open box by separating axes: the box's axes (the outcodes' common bits) and their
@@ -94,11 +98,7 @@ bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
         for (std::uint32_t i = 0; i < ring.count; ++i) {
             const Point* b = &solid.vertices[ring.corners[i]];
             const unsigned b_code = outcode(*b, box);
-            if ((a_code & b_code) == 0 && line_meets_rectangle(*a, *b, box, axis_y, axis_z) &&
-                line_meets_rectangle(*a, *b, box, axis_z, axis_x) &&
-                line_meets_rectangle(*a, *b, box, axis_x, axis_y)) {
-                return true;
-            }
+            if ((a_code & b_code) == 0 && line_meets_rectangles(*a, *b, box)) return true;
             a = b;
             a_code = b_code;
         }
@@ -107,16 +107,17 @@ bool any_edge_meets(const Solid& solid, std::uint32_t face, const Box& box) {
 }
 
 // How far the diagonal goes along an axis for a unit along z.
-int lean(const Diagonal& diagonal, const Box& box, int axis) {
-    const bool twice = box.hi.at[axis] - box.lo.at[axis] != box.hi.at[axis_z] - box.lo.at[axis_z];
-    return diagonal.way[axis] * diagonal.way[axis_z] * (twice ? 2 : 1);
+int lean(const Diagonal& diagonal, int axis) {
+    const std::int32_t up = diagonal.along(axis_z);
+    const std::int32_t way = (diagonal.along(axis) < 0) == (up < 0) ? 1 : -1;
+    return diagonal.along(axis) == way * up ? way : 2 * way;
 }
 
 // Stages 4 and 5 once no edge meets the open octant: the section of plane and octant lies wholly on one side
 // of every ring, so one point of it decides for all of them. The diagonal passes through the plane in the
 // open octant, and what winds around the diagonal winds around that point.
-Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagonal& diagonal, const Box& box) {
-    const Sight sight(diagonal.from, axis_z, lean(diagonal, box, axis_x), lean(diagonal, box, axis_y));
+Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagonal& diagonal) {
+    const Sight sight(diagonal.from, axis_z, lean(diagonal, axis_x), lean(diagonal, axis_y));
     const std::uint32_t outer = solid.first_ring(face);
     const std::uint32_t end = solid.end_ring(face);
     const std::int32_t outer_winding = winding_of_rings(solid, outer, outer + 1, sight);
@@ -128,9 +129,7 @@ Decision decide_by_section(const Solid& solid, std::uint32_t face, const Diagona
 } // namespace
 
 Decision classify(const CheckedSolid& checked, std::uint32_t face, const Octant& octant) {
-    Box box = {octant.corner, octant.corner};
-    for (std::int32_t& coordinate : box.hi.at) coordinate += octant.side();
-    return classify_box(checked.view(), face, box);
+    return classify_box(checked.view(), face, box_of(octant));
 }
 
 Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box) {
@@ -139,7 +138,7 @@ Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box) {
     const CornerSurvey survey(solid, first, end, box);
     if (survey.common != 0) return {Stage::minimax, false};
 
-    const Plane plane(solid, face);
+    const Plane plane(solid, first, end);
     const Diagonal diagonal(plane, box);
     const bool has_area = !plane.is_null();
     if (has_area && !plane_meets(plane, diagonal)) return {Stage::plane, false};
@@ -152,7 +151,7 @@ Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box) {
 
     if (any_edge_meets(solid, face, box)) return {Stage::section, true};
     if (!has_area) return {Stage::section, false};
-    return decide_by_section(solid, face, diagonal, box);
+    return decide_by_section(solid, face, diagonal);
 }
 
 } // namespace osem

@@ -1,5 +1,6 @@
 #include "osem/face_walk.hpp"
 
+#include "classify/box.hpp"
 #include "classify/crossing.hpp"
 
 namespace osem {
@@ -12,10 +13,11 @@ void FaceWalk::begin(const CheckedSolid& solid, std::uint32_t* list) {
 }
 
 std::uint32_t FaceWalk::select(const Octant& octant, std::uint32_t faces) {
+    const Box box = box_of(octant);
     std::uint32_t met = 0;
     for (std::uint32_t i = 0; i < faces; ++i) {
         const std::uint32_t face = list_[i];
-        const Decision decision = classify(solid_, face, octant);
+        const Decision decision = classify_box(solid_.view(), face, box);
         const int stage = static_cast<int>(decision.stage);
         ++(decision.meets ? stages_.accepted : stages_.rejected)[stage];
         if (decision.meets) {
@@ -56,13 +58,9 @@ std::int32_t FaceWalk::winding_of_child(FaceFrame& frame, const Octant& octant, 
 
 std::int32_t FaceWalk::winding_at_centre(const Octant& leaf, std::uint32_t faces,
                                          std::int32_t winding) const {
-    const std::int32_t half = leaf.side() / 2;
-    Point at = leaf.corner;
-    for (int axis = 0; axis < 3; ++axis) {
-        winding += crossings(at, static_cast<Axis>(axis), half, faces);
-        at.at[axis] += half;
-    }
-    return winding;
+    FaceFrame frame;
+    frame.open(faces, winding);
+    return winding_of_child(frame, leaf, 7);
 }
 
 } // namespace osem

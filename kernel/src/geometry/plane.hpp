@@ -21,19 +21,7 @@ class Plane {
         : Plane(solid, solid.corners + solid.first_corner(solid.first_ring(face)),
                 solid.corners + solid.first_corner(solid.end_ring(face))) {}
 
-    bool is_null() const {
-        return normal_[0].value() == 0 && normal_[1].value() == 0 && normal_[2].value() == 0;
-    }
-
-    NormalComponent normal(int axis) const { return normal_[axis]; }
-
-    /// n . (q - first corner); its sign tells the side. Below 3 * 2^61 + 3 * 2^41 in magnitude, as its type
-    /// says.
-    PlaneValue at(const Point& q) const {
-        return normal_[0] * offset(q, 0) + normal_[1] * offset(q, 1) + normal_[2] * offset(q, 2);
-    }
-
-  private:
+    /// The same for the face whose corners are [corner, end).
     Plane(const Solid& solid, const std::uint32_t* corner, const std::uint32_t* end)
         : origin_(solid.vertices[*corner]), normal_{NormalComponent::claim(0), NormalComponent::claim(0),
                                                     NormalComponent::claim(0)} {
@@ -48,6 +36,19 @@ class Plane {
         }
     }
 
+    bool is_null() const {
+        return normal_[0].value() == 0 && normal_[1].value() == 0 && normal_[2].value() == 0;
+    }
+
+    NormalComponent normal(int axis) const { return normal_[axis]; }
+
+    /// n . (q - first corner); its sign tells the side. Below 3 * 2^61 + 3 * 2^41 in magnitude, as its type
+    /// says.
+    PlaneValue at(const Point& q) const {
+        return normal_[0] * offset(q, 0) + normal_[1] * offset(q, 1) + normal_[2] * offset(q, 2);
+    }
+
+  private:
     NormalComponent cross(const Point& a, const Point& b, int axis) const {
         const int u = axis == 2 ? 0 : axis + 1;
         const int v = axis == 0 ? 2 : axis - 1;
