@@ -16,6 +16,7 @@ namespace {
 
 constexpr int depth = 6; // 64 x 64 x 64 leaves at most
 constexpr std::uint32_t query_count = 1000;
+constexpr std::uint32_t block_size = 32768; // words; the job below checks that they suffice
 constexpr std::int32_t box_side = root_side / 16;
 
 constexpr Sphere left(Point{{450000, 500000, 500000}}, 380000);
@@ -24,10 +25,12 @@ constexpr Sphere right(Point{{600000, 560000, 540000}}, 380000);
 StaticNodePool<20000> pool;
 StaticNodePool<10000> read_back;
 Conversion conversion;
+Labelling labelling;
 Combination combination;
 StreamReader reader;
 Edge edges[Sphere::corner_count];
 std::uint32_t faces[Sphere::triangle_count];
+std::uint32_t blocks[block_size];
 std::uint8_t stream[30000];
 std::size_t stream_length = 0;
 Point cells[query_count];
@@ -87,6 +90,21 @@ TreeOutcome converted(const Sphere& sphere) {
                    &pool);
 }
 
+// The other technique, to the same tree; the pool is left as it was.
+bool labelled(const Octree& same) {
+    const std::uint32_t mark = pool.used();
+    LabellingOutcome outcome = {};
+    const bool good = count("convert_bintree", [&] {
+        outcome =
+            convert_by_labelling(labelling, CheckedSolid::vouched(left.solid()), depth, WindingRule::nonzero,
+                                 faces, Sphere::triangle_count, blocks, block_size, &pool);
+        return outcome.built.status == Status::ok;
+    });
+    const bool right_tree = good && same_leaves(same, outcome.built.tree);
+    pool.roll_back(mark);
+    return right_tree;
+}
+
 bool stream_jobs(const Octree& tree) {
     bool good = count("write_stream", [&] {
         return write_stream(tree, StreamHeader{}, Sink{to_memory, nullptr}) == Status::ok;
@@ -111,6 +129,7 @@ bool all_jobs() {
         a = converted(left);
         return a.status == Status::ok;
     });
+    good &= labelled(a.tree);
     const TreeOutcome b = converted(right);
     TreeOutcome both = {};
     good &= b.status == Status::ok && count("union", [&] {

@@ -24,6 +24,7 @@ FEATURE_TEXTS = {
 JOB_TEXTS = {
     "check": "check a sphere of 768 triangles",
     "convert": "convert it at 64 x 64 x 64",
+    "convert_bintree": "convert it by the bintree technique",
     "union": "union of two such trees",
     "point_queries": "1,000 point queries",
     "box_queries": "1,000 box queries",

@@ -31,12 +31,14 @@ namespace {
 
 bool paint_all() {
     const PaintTrees trees = paint_solids();
+    paint_bintree();
     paint_booleans(trees);
     paint_queries(trees);
     paint_measures(trees);
     paint_trees(trees);
     paint_streams(trees);
     paint_csg(trees);
+    paint_fit(trees);
     paint_memory(trees);
     return good;
 }

@@ -34,12 +34,14 @@ struct PaintTrees {
 };
 
 PaintTrees paint_solids(); ///< also converts the trees that the others use
+void paint_bintree();
 void paint_booleans(const PaintTrees& trees);
 void paint_queries(const PaintTrees& trees);
 void paint_measures(const PaintTrees& trees);
 void paint_trees(const PaintTrees& trees);
 void paint_streams(const PaintTrees& trees);
 void paint_csg(const PaintTrees& trees);
+void paint_fit(const PaintTrees& trees);
 void paint_memory(const PaintTrees& trees); ///< comes last: it moves the trees
 
 } // namespace osem::cross
