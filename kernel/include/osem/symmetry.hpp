@@ -19,9 +19,10 @@ struct Symmetry {
 
     /// Each symmetry once, for n in [0, 48); the first is the identity.
     static constexpr Symmetry nth(unsigned n) {
-        const unsigned permutation = n / 8 % 6;
+        const unsigned permutation = n / 8;
         const unsigned first = permutation / 2;
-        const unsigned second = (first + 1 + permutation % 2) % 3;
+        const unsigned onwards = first + 1 + permutation % 2; // at most 4; axes go round
+        const unsigned second = onwards < 3 ? onwards : onwards - 3;
         return {{static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second),
                  static_cast<std::uint8_t>(3 - first - second)},
                 static_cast<std::uint8_t>(n % 8)};
@@ -59,7 +60,7 @@ struct Symmetry {
 
     /// Whether orientation is kept: rotations do, the others mirror.
     constexpr bool is_rotation() const {
-        const bool even_permutation = from[1] == (from[0] + 1) % 3;
+        const bool even_permutation = from[1] == (from[0] == 2 ? 0 : from[0] + 1);
         const bool even_flips = ((0x69U >> flips) & 1U) != 0; // 0, 3, 5 and 6 have an even number of bits
         return even_permutation == even_flips;
     }

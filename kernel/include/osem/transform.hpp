@@ -93,7 +93,7 @@ class Translation {
     void found(unsigned child, Colour colour);
     void leave();
     void gather(unsigned child, Node (&from)[8]) const;
-    bool aligned(int level) const;
+    bool aligned(std::int32_t side) const;
 
     NodePool* pool_ = nullptr;
     Octree tree_ = {};

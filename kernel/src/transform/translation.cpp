@@ -163,9 +163,9 @@ void Translation::start() {
     visit();
 }
 
-// Whether the operand's octants of a level come to lie on those of the result.
-bool Translation::aligned(int level) const {
-    const std::uint32_t below = (std::uint32_t{root_side} >> level) - 1;
+// Whether the operand's octants of a side come to lie on those of the result.
+bool Translation::aligned(std::int32_t side) const {
+    const std::uint32_t below = static_cast<std::uint32_t>(side) - 1;
     return ((static_cast<std::uint32_t>(placement_.by.at[0]) |
              static_cast<std::uint32_t>(placement_.by.at[1]) |
              static_cast<std::uint32_t>(placement_.by.at[2])) &
@@ -223,14 +223,15 @@ void Translation::visit() {
 // Settles a child, or leaves it to be entered. `within`: no border of `keep` passes through it.
 void Translation::settle(unsigned child, bool within) {
     const int level = open_.level + 1; // the child's
+    const bool shares = within && aligned(octant_.side() / 2);
     Node from[8];
     gather(child, from);
     const Colour colour = from[0].colour(0);
     if (one_colour(from) && (within || colour == Colour::white)) {
         found(child, colour);
-    } else if (within && aligned(level) && level >= limit_) {
+    } else if (shares && level >= limit_) {
         found(child, Colour::boundary); // grey below the depth asked for
-    } else if (within && aligned(level) && tree_.depth <= limit_) {
+    } else if (shares && tree_.depth <= limit_) {
         builder_.graft(child, from[0]);
     } else {
         open_.left[open_.level] = static_cast<std::uint8_t>(open_.left[open_.level] | (1U << child));
@@ -247,7 +248,7 @@ void Translation::found(unsigned child, Colour colour) {
 
 void Translation::leave() {
     if (open_.level < limit_) {
-        builder_.close(aligned(open_.level) ? &frames_[open_.level].from[0] : nullptr);
+        builder_.close(aligned(octant_.side()) ? &frames_[open_.level].from[0] : nullptr);
     } else if (open_.level == limit_) {
         const Colour colour = seen_ == colour_bit(Colour::white)   ? Colour::white
                               : seen_ == colour_bit(Colour::black) ? Colour::black
