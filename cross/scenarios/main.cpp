@@ -45,6 +45,13 @@ constexpr Scenario scenarios[] = {
     {"labelled_blocks", labelled_blocks},
     {"finest_fits", finest_fits},
     {"pruned_trees", pruned_trees},
+    {"placed_trees", placed_trees},
+    {"cropped_trees", cropped_trees},
+    {"symmetric_trees", symmetric_trees},
+    {"coarser_trees", coarser_trees},
+    {"scaled_trees", scaled_trees},
+    {"slices_as_runs", slices_as_runs},
+    {"slices_as_bitmaps", slices_as_bitmaps},
 };
 
 void print_line(const char* name, std::uint64_t digest) {

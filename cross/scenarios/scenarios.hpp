@@ -61,6 +61,17 @@ std::uint64_t labelled_blocks();
 std::uint64_t finest_fits();
 std::uint64_t pruned_trees();
 
+// transforms.cpp
+std::uint64_t placed_trees();
+std::uint64_t cropped_trees();
+std::uint64_t symmetric_trees();
+std::uint64_t coarser_trees();
+std::uint64_t scaled_trees();
+
+// slices.cpp
+std::uint64_t slices_as_runs();
+std::uint64_t slices_as_bitmaps();
+
 } // namespace osem::cross
 
 #endif
