@@ -28,6 +28,8 @@ CALLS_BACK = {
     "measure": "the source's of a stream",
     "digest": "the source's of a stream",
     "same_leaves": "the source's of streams",
+    "RunSlicing::step": "the sink's",
+    "BitmapSlicing::step": "the sink's",
 }
 
 TARGET = 1024  # bytes, for each function

@@ -19,6 +19,8 @@ FEATURE_TEXTS = {
     "bintree": "conversion by a bintree",
     "fit": "the finest conversion that fits, and pruning",
     "csg": "expressions over solids, trees and streams",
+    "transform": "translation, symmetries, scale, coarsening and crop",
+    "slice": "slices as runs and as bitmaps",
     WHOLE: "the whole kernel",
 }
 JOB_TEXTS = {

@@ -36,6 +36,8 @@ bool paint_all() {
     paint_queries(trees);
     paint_measures(trees);
     paint_trees(trees);
+    paint_transforms(trees);
+    paint_slices(trees);
     paint_streams(trees);
     paint_csg(trees);
     paint_fit(trees);

@@ -39,6 +39,8 @@ void paint_booleans(const PaintTrees& trees);
 void paint_queries(const PaintTrees& trees);
 void paint_measures(const PaintTrees& trees);
 void paint_trees(const PaintTrees& trees);
+void paint_transforms(const PaintTrees& trees);
+void paint_slices(const PaintTrees& trees);
 void paint_streams(const PaintTrees& trees);
 void paint_csg(const PaintTrees& trees);
 void paint_fit(const PaintTrees& trees);
