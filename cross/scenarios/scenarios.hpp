@@ -56,6 +56,11 @@ std::uint64_t collisions();
 std::uint64_t moments_and_surfaces();
 std::uint64_t labelled_components();
 
+// boundary.cpp
+std::uint64_t surfaces_of_eight_cells();
+std::uint64_t surface_with_holes();
+std::uint64_t surfaces_counted();
+
 // fits.cpp
 std::uint64_t labelled_blocks();
 std::uint64_t finest_fits();
