@@ -16,8 +16,9 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names commands = {"check",      "convert", "union", "intersection", "difference", "xor",   "info",
-                        "complement", "leaves",  "image", "slice",        "carray",     "query", "collide"};
+const Names commands = {"check",      "convert",    "union", "intersection", "difference", "xor",   "info",
+                        "complement", "leaves",     "image", "slice",        "carray",     "query", "collide",
+                        "measure",    "components", "mesh",  "transform",    "coarsen",    "csg"};
 
 TEST_F(Tool, HelpListsEveryCommandAndEachHasHelp) {
     const Ran ran = osem({"--help"});
