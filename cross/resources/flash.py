@@ -9,7 +9,7 @@ from processors import COMPILER, RESOURCES, Failure, run
 FEATURES = ("query", "booleans", "conversion", "check")
 # Each program has its own functions only.
 ALONE = ("stream_query", "stream_boolean", "ray", "nearest", "collide", "measures", "components", "bintree",
-         "fit", "csg", "transform", "slice")
+         "fit", "csg", "transform", "slice", "boundary")
 WHOLE = "all"  # every function of the kernel
 
 # Bytes of the kernel's own flash that a program may take on any processor, or on the one named.

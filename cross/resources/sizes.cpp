@@ -24,6 +24,8 @@ OSEM_SIZE(CsgTree);
 OSEM_SIZE(CsgStream);
 OSEM_SIZE(ClusterWalk);
 OSEM_SIZE(SurfaceMeasurement);
+OSEM_SIZE(Boundary);
+OSEM_SIZE(BoundaryCorner);
 OSEM_SIZE(ComponentLabelling);
 OSEM_SIZE(Component);
 OSEM_SIZE(SegmentWalk);

@@ -8,6 +8,8 @@ from public_functions import declared, readable_names
 # Functions that call through a pointer, and whose stack comes on top.
 CALLS_BACK = {
     "write_stream": "the sink's",
+    "Boundary::step": "the sink's",
+    "boundary_solid": "its own sink's",
     "StreamCursor::begin": "the source's",
     "StreamCursor::next": "the source's",
     "StreamCursor::next_or_leaves": "the source's",

@@ -21,6 +21,7 @@ FEATURE_TEXTS = {
     "csg": "expressions over solids, trees and streams",
     "transform": "translation, symmetries, scale, coarsening and crop",
     "slice": "slices as runs and as bitmaps",
+    "boundary": "the surface of a solid",
     WHOLE: "the whole kernel",
 }
 JOB_TEXTS = {
@@ -119,8 +120,9 @@ def ram_table(figures):
     rows = [["a pool of n nodes", *pools],
             ["`check`: scratch for c corners", *(f"{edge} c" for edge in size("Edge"))],
             ["`Conversion`: scratch for f faces", "4 f", "4 f"],
+            ["`Boundary`: scratch for c corners", *(f"{corner} c" for corner in size("BoundaryCorner"))],
             ["`compact`: scratch for n nodes in use", "4 ceil(n / 32)", "4 ceil(n / 32)"]]
-    held = [name for name in names(figures, "ram") if name not in ("Node", "NodePool", "Edge")]
+    held = [name for name in names(figures, "ram") if name not in ("Node", "NodePool", "Edge", "BoundaryCorner")]
     rows += [[f"`{name}`", *size(name)] for name in sorted(held, key=lambda name: -size(name)[0])]
     return table(["what", *(f"{bits}-bit indices" for bits in INDEX_BITS)], rows)
 

@@ -38,6 +38,7 @@ bool paint_all() {
     paint_trees(trees);
     paint_transforms(trees);
     paint_slices(trees);
+    paint_boundary(trees);
     paint_streams(trees);
     paint_csg(trees);
     paint_fit(trees);

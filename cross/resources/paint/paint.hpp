@@ -41,6 +41,7 @@ void paint_measures(const PaintTrees& trees);
 void paint_trees(const PaintTrees& trees);
 void paint_transforms(const PaintTrees& trees);
 void paint_slices(const PaintTrees& trees);
+void paint_boundary(const PaintTrees& trees);
 void paint_streams(const PaintTrees& trees);
 void paint_csg(const PaintTrees& trees);
 void paint_fit(const PaintTrees& trees);
