@@ -132,11 +132,9 @@ void Pruning::decide() {
 void Pruning::decide_favour(Rule rule, std::uint64_t kept) {
     if (kept != 0 && take_room(kept)) {
         keep(cheap_ ? Rule::all_cheap : Rule::all_paid);
-    } else if (kept == 0 && cheap_) {
-        give_up();
-    } else if (cheap_ && rule == Rule::loose) {
+    } else if (kept != 0 && cheap_ && rule == Rule::loose) {
         ask(false);
-    } else if (has_known_leaf(child()) && take_room(1)) {
+    } else if ((kept != 0 || !cheap_) && has_known_leaf(child()) && take_room(1)) {
         keep(Rule::loose);
     } else {
         give_up();
