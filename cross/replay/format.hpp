@@ -52,6 +52,10 @@
 //                  it: a point, u8 colours, u8 found, u64 squared distance, a point: the first cell of the
 //                  leaf. Neighbours in it: an octant (point, u8 level), u8 axis, u8 high, u8 outside, an
 //                  octant, u8 colour. Collisions of the two: the offset as a point, u8 contact
+//     csg          options, u8 4, four operands: u8 0 and a tree (u8 depth, u32 leaves, the leaves in
+//                  Morton order), or u8 1 and a solid; u32 pool nodes, u8 rows, each u8 tokens and so many
+//                  u8: an operand's number, 16 + an Operator, or 32: the complement; then a tree. A row is a
+//                  case
 //
 // `where` is the face for face_not_planar, the vertex for coordinate_off_lattice, the corner for
 // index_out_of_range, the ring for ring_too_short, and 0 otherwise.
@@ -81,11 +85,12 @@ enum class Topic : std::uint8_t {
     conversion,
     boolean,
     measure,
-    query
+    query,
+    csg
 };
-constexpr std::uint8_t topic_count = 9;
+constexpr std::uint8_t topic_count = 10;
 constexpr const char* topic_names[topic_count] = {"orientation", "plane",   "classify", "crossing", "frame",
-                                                  "conversion",  "boolean", "measure",  "query"};
+                                                  "conversion",  "boolean", "measure",  "query",    "csg"};
 
 /// The bits of a `classify` answer.
 constexpr std::uint8_t answer_meets = 1;
@@ -94,6 +99,12 @@ constexpr std::uint8_t answer_minimax = 2;
 /// The row of a `boolean` record that is no operator.
 constexpr std::uint8_t operation_complement = 4;
 constexpr std::uint8_t operation_count = 5;
+
+/// The bytes of a `csg` record's operands and tokens.
+constexpr std::uint8_t operand_tree = 0;
+constexpr std::uint8_t operand_solid = 1;
+constexpr std::uint8_t token_combine = 16;
+constexpr std::uint8_t token_complement = 32;
 
 /// What a stream's header says of the world: 1, -2, 0.5 and 1048576 as binary64.
 constexpr std::uint64_t stream_frame[4] = {0x3ff0000000000000, 0xc000000000000000, 0x3fe0000000000000,

@@ -21,9 +21,9 @@ alignas(8) std::uint8_t memory[OSEM_REPLAY_ARENA];
 Reader reader; // static, because it is too large for a small stack
 
 using Replay = bool (*)(Reader&, Arena&, Report&);
-constexpr Replay replays[topic_count] = {replay_orientation, replay_plane,   replay_classify,
-                                         replay_crossing,    replay_frame,   replay_conversion,
-                                         replay_boolean,     replay_measure, replay_query};
+constexpr Replay replays[topic_count] = {
+    replay_orientation, replay_plane,   replay_classify, replay_crossing, replay_frame,
+    replay_conversion,  replay_boolean, replay_measure,  replay_query,    replay_csg};
 
 // A file is read through once before it is replayed, so that the cases of a damaged one are not run.
 bool is_whole(const char* path) {

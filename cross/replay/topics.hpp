@@ -18,6 +18,7 @@ bool replay_conversion(Reader& reader, Arena& arena, Report& report);
 bool replay_boolean(Reader& reader, Arena& arena, Report& report);
 bool replay_measure(Reader& reader, Arena& arena, Report& report);
 bool replay_query(Reader& reader, Arena& arena, Report& report);
+bool replay_csg(Reader& reader, Arena& arena, Report& report);
 
 } // namespace osem::cross
 

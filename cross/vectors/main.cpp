@@ -25,6 +25,7 @@ void write_all(const std::string& folder) {
         {"boolean", vectors::write_boolean},
         {"measure", vectors::write_measure},
         {"query", vectors::write_query},
+        {"csg", vectors::write_csg},
     };
     std::filesystem::create_directories(folder);
     vectors::VectorFile::print_table_head();

@@ -15,6 +15,7 @@ void write_conversion(const std::string& folder);
 void write_boolean(const std::string& folder);
 void write_measure(const std::string& folder);
 void write_query(const std::string& folder);
+void write_csg(const std::string& folder);
 
 } // namespace vectors
 
