@@ -175,10 +175,10 @@ struct CsgOutcome {
 class OSEM_OF_INDEX_WIDTH CsgConversion {
   public:
     /// Starts. Nodes go to `pool`, which may be a tree operand's own; with a null pool this is a counting
-    /// pass. Tokens and operands are viewed until finish. An operand that stands in no token is not looked at
-    /// but for its stream, which is read. Status: ok; expression_invalid; expression_too_large;
-    /// depth_out_of_range; scratch_too_small; what StreamCursor::begin answers. When not ok, nothing has
-    /// begun.
+    /// pass. Tokens and operands are viewed until finish; no two operands are the same object. An operand
+    /// that stands in no token is not looked at but for its stream, which is read. Status: ok;
+    /// expression_invalid; expression_too_large; depth_out_of_range; scratch_too_small; what
+    /// StreamCursor::begin answers. When not ok, nothing has begun.
     CsgFault begin(const CsgToken* tokens, std::uint32_t token_count, const CsgOperand* operands,
                    std::uint32_t operand_count, const CsgOptions& options, NodePool* pool);
 
