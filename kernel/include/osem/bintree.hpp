@@ -15,6 +15,12 @@ namespace osem {
 /// Levels of a bintree under the root: three halvings an octree level.
 constexpr int max_block_level = 3 * max_depth;
 
+/// A third of a block's level, rounded down: the level of the octant that the block is or is a part of. As a
+/// product, because small parts do not divide; exact below 128 (43 / 128 is 1 / 3 + 1 / 384).
+constexpr int third_of(int level) { return (level * 43) >> 7; }
+/// How many halvings a block is below that octant: 0, 1 or 2.
+constexpr int halvings_of(int level) { return level - 3 * third_of(level); }
+
 /// A block of a bintree: the root octant halved `level` times, along z, y, x, z and so on. With this order
 /// the blocks in preorder are in the order of octants. Blocks of a level that is a multiple of 3 are octants.
 struct Block {
@@ -22,11 +28,11 @@ struct Block {
     std::uint8_t level;
 
     /// The axis along which the block is halved.
-    constexpr Axis axis() const { return static_cast<Axis>(2 - level % 3); }
+    constexpr Axis axis() const { return static_cast<Axis>(2 - halvings_of(level)); }
     /// Half the block's side along that axis. Precondition: level < max_block_level.
-    constexpr std::int32_t half_side() const { return root_side >> (level / 3 + 1); }
+    constexpr std::int32_t half_side() const { return root_side >> (third_of(level) + 1); }
     constexpr std::int32_t side(int along) const {
-        return root_side >> (level / 3 + (level % 3 > 2 - along ? 1 : 0));
+        return root_side >> (third_of(level) + (halvings_of(level) > 2 - along ? 1 : 0));
     }
     /// The half at the low (0) or the high side (1). Precondition: level < max_block_level.
     constexpr Block half(unsigned high) const {
@@ -62,8 +68,7 @@ struct LabellingOutcome {
 /// 2. Free blocks that share a part of a side are of one component if the winding number is the same on both
 ///    sides: faces that lie in the side itself meet neither block.
 /// 3. The winding number of each component's first block, by a ray through all faces, says whether the
-/// component
-///    is inside; the blocks are folded into octants.
+///    component is inside; the blocks are folded into octants.
 ///
 /// Source: Trstenjak, Zalik and Guid, Informatica 2/91, section 2 (boundary conversion into a bintree and
 /// labelling, after Samet and Tamminen, "Efficient Component Labeling of Images of Arbitrary Dimension

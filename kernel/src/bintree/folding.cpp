@@ -24,8 +24,8 @@ void Labelling::fold() {
     const std::uint32_t word = blocks_[at_];
     if (is_halved(at_, word)) {
         ++at_;
-        if (block_.level != 0 && block_.level % 3 == 0)
-            builder_.open(child_at(block_.corner, block_.level / 3));
+        if (block_.level != 0 && halvings_of(block_.level) == 0)
+            builder_.open(child_at(block_.corner, third_of(block_.level)));
         block_ = block_.half(0);
         return;
     }
@@ -38,7 +38,7 @@ void Labelling::fold() {
             block_ = block_.half(1);
             return;
         }
-        if (block_.level % 3 == 0) builder_.close();
+        if (halvings_of(block_.level) == 0) builder_.close();
     }
     phase_ = Phase::done;
 }
@@ -52,9 +52,9 @@ void Labelling::set_leaf(Colour colour) {
         return;
     }
     constexpr unsigned halved_axes[3] = {7, 4, 6};
-    const unsigned child = child_at(block_.corner, (block_.level + 2) / 3);
+    const unsigned child = child_at(block_.corner, third_of(block_.level + 2));
     for (unsigned k = 0; k < 8; ++k) {
-        if ((k & halved_axes[block_.level % 3]) == child) builder_.leaf(k, colour);
+        if ((k & halved_axes[halvings_of(block_.level)]) == child) builder_.leaf(k, colour);
     }
 }
 
