@@ -60,13 +60,15 @@ bool read_tree_operand(Reader& reader, Arena& arena, Operand& operand) {
     const std::uint32_t leaves = reader.u32();
     const std::uint32_t nodes = nodes_of(leaves);
     Node* const memory = take_nodes(arena, nodes);
-    auto* const builder = arena.take<TreeBuilder>(1);
     auto* const pool_room = arena.take<Room<NodePool>>(1);
     auto* const tree_room = arena.take<Room<CsgTree>>(1);
     auto* const stream_room = arena.take<Room<CsgStream>>(1);
-    Memory stream = {arena.take<std::uint8_t>(stream_size(nodes)), 0};
-    if (memory == nullptr || builder == nullptr || pool_room == nullptr || tree_room == nullptr) return false;
+    Memory stream = {arena.take<std::uint8_t>(static_cast<std::size_t>(stream_size(nodes))), 0};
+    if (memory == nullptr || pool_room == nullptr || tree_room == nullptr) return false;
     if (stream_room == nullptr || stream.bytes == nullptr) return false;
+    const ArenaScope scope(arena); // the builder's memory is given back
+    auto* const builder = arena.take<TreeBuilder>(1);
+    if (builder == nullptr) return false;
     NodePool* const pool = pool_room->make(memory, nodes);
     const Octree tree = plant_leaves(reader, depth, leaves, *builder, *pool).tree;
     if (write_stream(tree, StreamHeader{}, Sink{to_memory, &stream}) != Status::ok) return false;
@@ -121,13 +123,8 @@ void replay_row(Reader& reader, Report& report, const Work& work, bool streamed)
 
 bool replay_csg(Reader& reader, Arena& arena, Report& report) {
     const ConvertOptions options = read_options(reader);
-    Work work = {arena.take<CsgConversion>(1),
-                 arena.take<CsgToken>(csg_most_tokens),
-                 {},
-                 reader.u8(),
-                 CsgOptions{options.depth, options.leaves},
-                 nullptr};
-    if (work.job == nullptr || work.tokens == nullptr || work.operand_count != most_operands) return false;
+    Work work = {nullptr, nullptr, {}, reader.u8(), CsgOptions{options.depth, options.leaves}, nullptr};
+    if (work.operand_count != most_operands) return false;
     for (Operand& operand : work.operands) {
         const bool read = reader.u8() == operand_solid
                               ? read_solid_operand(reader, arena, options.winding, operand)
@@ -136,7 +133,9 @@ bool replay_csg(Reader& reader, Arena& arena, Report& report) {
     }
     const std::uint32_t nodes = reader.u32();
     Node* const memory = take_nodes(arena, nodes);
-    if (memory == nullptr) return false;
+    work.job = arena.take<CsgConversion>(1);
+    work.tokens = arena.take<CsgToken>(csg_most_tokens);
+    if (memory == nullptr || work.job == nullptr || work.tokens == nullptr) return false;
     NodePool pool(memory, nodes);
     work.pool = &pool;
     const std::uint8_t rows = reader.u8();

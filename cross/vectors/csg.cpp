@@ -121,7 +121,7 @@ void write_csg(const std::string& folder) {
         const std::vector<oracle::TestSolid> solids = all_solids(*grid, 16, 7300);
         const std::size_t count = solids.size();
         for (std::size_t i = 0; i < count; ++i) {
-            const int depth = i % 3 == 2 ? 4 : 3;
+            const int depth = i % 8 == 7 ? 4 : 3;
             writer.add(solids[i], solids[(7 * i + 3) % count], depth, static_cast<std::uint32_t>(i));
         }
     }
