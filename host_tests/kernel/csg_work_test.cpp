@@ -220,6 +220,36 @@ TEST(CsgWork, DepthsAndScratchThatDoNotFitAreRefused) {
     EXPECT_EQ(fault.operand, 0U);
 }
 
+// The state of a stream or a solid serves one walk: twice the same object would be out of step.
+TEST(CsgWork, OneObjectAsTwoOperandsIsRefused) {
+    HeapPool pool(1000);
+    const Octree tree = planted(random_grid(3, 12, three_colours), *pool);
+    const Bytes bytes = written(tree, StreamHeader{});
+    CsgStream stream(memory_source(bytes.data(), bytes.size()));
+    CsgTree other(tree);
+    const CsgOperand operands[] = {other, stream, stream};
+    const Tokens tokens = {a, b, subtract};
+    CsgConversion job;
+    const CsgFault fault = job.begin(tokens.data(), 3, operands, 3, CsgOptions(), nullptr);
+    EXPECT_EQ(fault.status, Status::operand_repeated);
+    EXPECT_EQ(fault.operand, 2U);
+    EXPECT_EQ(job.begin(tokens.data(), 3, operands, 2, CsgOptions(), nullptr).status, Status::ok);
+}
+
+TEST(CsgWork, AFailedBeginForgetsTheWalkBefore) {
+    Work work(13);
+    HeapPool pool(2);
+    CsgConversion job;
+    ASSERT_EQ(work.begin(job, &*pool, work.options()).status, Status::ok);
+    while (job.step(1000)) {
+    }
+    EXPECT_EQ(job.finish().built.status, Status::pool_exhausted);
+    CsgOptions too_deep;
+    too_deep.depth = 21;
+    EXPECT_EQ(work.begin(job, &*pool, too_deep).status, Status::depth_out_of_range);
+    EXPECT_EQ(job.finish().built.status, Status::unfinished);
+}
+
 } // namespace
 
 } // namespace osem::tests

@@ -53,7 +53,9 @@ struct CsgColours {
 struct CsgTerm {
     bool may;
     bool must;
-    std::uint16_t matters; ///< when unknown: the unknown operands on which it depends; else 0
+    /// When unknown: the unknown operands on which it depends, and all unknown ones that stand more than
+    /// once; else 0.
+    std::uint16_t matters;
 
     constexpr bool is_known() const { return may == must; }
     constexpr Colour colour() const { return must ? Colour::black : may ? Colour::boundary : Colour::white; }
@@ -154,9 +156,9 @@ class CsgOperand {
 struct CsgFault {
     Status status;
     std::uint32_t token;   ///< expression_invalid, expression_too_large: the token at fault
-    std::uint32_t operand; ///< depth_out_of_range, scratch_too_small, faults of a stream: the operand at
-                           ///< fault; the operand count when the options are
-    std::uint64_t offset;  ///< faults of a stream: the byte at which it was seen
+    std::uint32_t operand; ///< operand_repeated, depth_out_of_range, scratch_too_small, faults of a stream:
+                           ///< the operand at fault; the operand count when the options are
+    std::uint64_t offset; ///< faults of a stream: the byte at which it was seen
 };
 
 /// Outcome of a walk: the tree, and why there is none.
@@ -171,11 +173,12 @@ struct CsgOutcome {
 ///
 /// Each octant visited is looked at by the operands that its parent left grey and on which the expression
 /// still depends; trees and streams come first, as they are cheap. It becomes a leaf when the expression is
-/// decided, and a boundary leaf when it depends on no operand that is divided there.
+/// decided, and a boundary leaf when it depends on no operand that is divided there. (An unknown operand that
+/// stands more than once counts as one on which it depends.)
 class OSEM_OF_INDEX_WIDTH CsgConversion {
   public:
     /// Starts. Nodes go to `pool`, which may be a tree operand's own; with a null pool this is a counting
-    /// pass. Tokens and operands are viewed until finish; no two operands are the same object. An operand
+    /// pass. Tokens and operands are viewed until finish; no two operands may be the same object. An operand
     /// that stands in no token is not looked at but for its stream, which is read. Status: ok;
     /// expression_invalid; expression_too_large; depth_out_of_range; scratch_too_small; what
     /// StreamCursor::begin answers. When not ok, nothing has begun.

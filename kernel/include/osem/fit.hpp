@@ -73,9 +73,9 @@ FitOutcome fit(Fitting& job, const CheckedSolid& solid, const ConvertOptions& op
 /// what its children cost, each at its best.
 class Appraisal {
   public:
-    /// Starts at a node of `pool` that divides an octant of level `level`.
-    /// Preconditions: price <= 2^57; level < max_depth.
-    void begin(const NodePool& pool, const Node& node, int level, std::uint64_t price);
+    /// Starts at a node of `pool` (which may be null for a node without grey children) that divides an octant
+    /// of level `level`. Preconditions: price <= 2^57; level < max_depth.
+    void begin(const NodePool* pool, const Node& node, int level, std::uint64_t price);
 
     /// Goes on to the next node; false when the subtree has been seen.
     bool step();

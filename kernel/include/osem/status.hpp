@@ -62,6 +62,7 @@ enum class Status : std::uint8_t {
     // Expression.
     expression_invalid, ///< a token takes more values than there are, or the tokens leave more than one value
     expression_too_large, ///< more tokens, operands or repeated operands than the stated bounds
+    operand_repeated,     ///< two operands of an expression are the same object
 };
 
 /// One short lower-case English phrase for a status, without a full stop; never null.

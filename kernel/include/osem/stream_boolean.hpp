@@ -42,8 +42,9 @@ class StreamCombination {
     std::uint64_t decided_volume() const { return decided_ / 2; }
 
     /// Status: ok; unfinished; the faults of StreamCursor, the operand named; sink_refused, after which
-    /// nothing more was written; source_failed also when the second pass did not read what the first one did;
-    /// stream_count_mismatch, operand 0 and offset 0, when the result has more than 2^32 - 1 nodes.
+    /// nothing more was written; source_failed also when the second pass came to another node count than the
+    /// first one; stream_count_mismatch, operand 0 and offset 0, when the result has more than 2^32 - 1
+    /// nodes.
     StreamCombinationOutcome finish();
 
   private:

@@ -5,7 +5,7 @@
 namespace osem {
 
 Status Boundary::emit(const BoundarySink& sink) {
-    if (phase_ != Phase::ready || !is_storing()) return Status::unfinished;
+    if (phase_ != Phase::ready || (!is_storing() && sizes_.corners != 0)) return Status::unfinished;
     sink_ = sink;
     emission_ = Status::ok;
     walk_.begin(tree_, part_);

@@ -75,7 +75,8 @@ class Visit {
 CsgFault CsgConversion::begin(const CsgToken* tokens, std::uint32_t token_count, const CsgOperand* operands,
                               std::uint32_t operand_count, const CsgOptions& options, NodePool* pool) {
     builder_.abandon();
-    CsgFault fault = {Status::ok, 0, 0, 0};
+    fault_ = CsgFault{Status::ok, 0, 0, 0};
+    CsgFault fault = fault_;
     fault.status = expression_.begin(tokens, token_count, operand_count, fault.token);
     if (fault.status != Status::ok) return fault;
     fault.token = 0;
@@ -85,13 +86,16 @@ CsgFault CsgConversion::begin(const CsgToken* tokens, std::uint32_t token_count,
     }
     for (std::uint32_t i = 0; i < operand_count; ++i) {
         const CsgWalker walker(operands[i]);
-        const Status status = walker.begin(options);
+        Status status = Status::ok;
+        for (std::uint32_t j = 0; j < i && status == Status::ok; ++j) {
+            if (walker.is_same_as(operands[j])) status = Status::operand_repeated;
+        }
+        if (status == Status::ok) status = walker.begin(options);
         if (status == Status::ok) continue;
         fault = {status, 0, i, 0};
         static_cast<void>(walker.status(fault.offset));
         return fault;
     }
-    fault_ = fault;
     operands_ = operands;
     operand_count_ = operand_count;
     options_ = options;

@@ -15,6 +15,12 @@ class CsgWalker {
     /// Status: ok; depth_out_of_range; scratch_too_small; what StreamCursor::begin answers.
     Status begin(const CsgOptions& options) const;
 
+    /// Whether two operands are the same object, whose state one walk needs for itself.
+    bool is_same_as(const CsgOperand& other) const {
+        return operand_.solid_ == other.solid_ && operand_.tree_ == other.tree_ &&
+               operand_.stream_ == other.stream_;
+    }
+
     bool is_solid() const { return operand_.solid_ != nullptr; }
 
     /// The colour in an octant, child `child` of the entered octant `parent`; the root is a child of none.

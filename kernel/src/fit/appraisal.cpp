@@ -3,8 +3,8 @@
 
 namespace osem {
 
-void Appraisal::begin(const NodePool& pool, const Node& node, int level, std::uint64_t price) {
-    pool_ = &pool;
+void Appraisal::begin(const NodePool* pool, const Node& node, int level, std::uint64_t price) {
+    pool_ = pool;
     price_ = price;
     black_ = 0;
     top_level_ = level;

@@ -36,7 +36,7 @@ void Pruning::begin(const Octree& tree, std::uint32_t budget, NodePool* pool) {
     outer_gained_ = 0;
     room_ = 0;
     phase_ = Phase::bisecting;
-    appraisal_.begin(*tree_.pool, tree_.top, 0, price_);
+    appraisal_.begin(tree_.pool, tree_.top, 0, price_);
 }
 
 bool Pruning::step(std::uint32_t nodes) {
@@ -74,7 +74,7 @@ void Pruning::choose_price(std::uint64_t kept) {
     const bool found = enough_ - too_low_ == 1;
     if (found) phase_ = Phase::settling;
     price_ = found ? enough_ : too_low_ + (enough_ - too_low_) / 2;
-    appraisal_.begin(*tree_.pool, tree_.top, 0, price_);
+    appraisal_.begin(tree_.pool, tree_.top, 0, price_);
 }
 
 void Pruning::start_writing() {
@@ -106,7 +106,7 @@ void Pruning::write() {
 void Pruning::ask(bool cheap) {
     asking_ = true;
     cheap_ = cheap;
-    appraisal_.begin(*tree_.pool, child(), level_ + 1, price_ - (cheap ? 1 : 0));
+    appraisal_.begin(tree_.pool, child(), level_ + 1, price_ - (cheap ? 1 : 0));
 }
 
 // The next child has been appraised.

@@ -74,6 +74,8 @@ const char* describe(Status status) {
         return "expression is not well formed";
     case Status::expression_too_large:
         return "expression is too large";
+    case Status::operand_repeated:
+        return "two operands are the same object";
     }
     return "unknown status";
 }

@@ -121,6 +121,7 @@ void TreeBuilder::abandon() {
     writing_ = false;
     building_ = false;
     closed_ = false;
+    exhausted_ = false;
 }
 
 } // namespace osem

@@ -13,7 +13,6 @@
 #include "files/identifier.hpp"
 #include "files/output_file.hpp"
 #include "files/tree_file.hpp"
-#include "mesh/text_scanner.hpp"
 
 namespace osem::host {
 
@@ -25,10 +24,6 @@ struct Options {
     std::string name;
     SolidOptions solid;
 };
-
-bool is_tree(const std::string& path) {
-    return equal_ignoring_case(std::filesystem::path(path).extension().string(), ".osem");
-}
 
 ConstantsName name_of(const Options& options) {
     return {options.name.empty() ? identifier_of(options.input) : options.name,
@@ -53,7 +48,7 @@ void write_solid_header(const Options& options) {
 }
 
 void run_carray(const Options& options) {
-    const bool from_tree = is_tree(options.input);
+    const bool from_tree = is_tree_name(options.input);
     if (from_tree && !options.solid.frame.empty()) {
         throw CLI::ValidationError("--frame", "an octree file has a frame of its own");
     }

@@ -1,6 +1,5 @@
 // osem csg: an expression over mesh files and octree files to an octree file, in one walk.
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -21,7 +20,6 @@
 #include "files/tree_file.hpp"
 #include "mesh/bad_input.hpp"
 #include "mesh/read_mesh.hpp"
-#include "mesh/text_scanner.hpp"
 #include "osem/csg.hpp"
 
 namespace osem::host {
@@ -116,9 +114,8 @@ std::vector<CsgToken> tokens_of(const Options& options, const std::vector<Bindin
 std::vector<Operand> open_operands(const std::vector<Binding>& bindings, const std::string& output) {
     std::vector<Operand> operands;
     for (const auto& [name, path] : bindings) {
-        const std::string extension = std::filesystem::path(path).extension().string();
         Operand operand;
-        if (equal_ignoring_case(extension, ".osem")) {
+        if (is_tree_name(path)) {
             operand.tree = std::make_unique<TreeOperand>(path);
         } else {
             refuse_same_file("--output", output, "the input", path);

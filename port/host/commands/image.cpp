@@ -46,12 +46,6 @@ struct Shown {
     std::vector<Subject> subjects; ///< from the left
 };
 
-bool is_tree(const std::string& path) {
-    const std::string ending = ".osem";
-    return path.size() >= ending.size() &&
-           path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 void load_solid(Shown& shown, const std::string& path, const SolidOptions& options) {
     shown.solid = read_solid(path, options);
     check_solid(path, shown.solid);
@@ -59,7 +53,7 @@ void load_solid(Shown& shown, const std::string& path, const SolidOptions& optio
 }
 
 void load(Shown& shown, const ImageOptions& options) {
-    if (!is_tree(options.input)) {
+    if (!is_tree_name(options.input)) {
         if (!options.with.empty()) throw CLI::ValidationError("--with", "X is no octree file");
         load_solid(shown, options.input, {});
         return;

@@ -60,6 +60,7 @@ std::vector<std::int32_t> cells_of(const Options& options, const WorldCube& cube
     std::int32_t last = root_side - 1;
     if (!options.from.empty()) first = cell_at(cube, options.axis, "--from", options.from);
     if (!options.to.empty()) last = cell_at(cube, options.axis, "--to", options.to);
+    if (first > last) throw CLI::ValidationError("--from", "is above --to");
     std::vector<std::int32_t> cells;
     for (std::int64_t layer = first / side; layer <= last / side; layer += options.every) {
         cells.push_back(static_cast<std::int32_t>(layer) * side);

@@ -9,6 +9,7 @@
 #include "files/decimal.hpp"
 #include "files/output_file.hpp"
 #include "mesh/bad_input.hpp"
+#include "mesh/text_scanner.hpp"
 
 namespace osem::host {
 
@@ -122,6 +123,10 @@ void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts) {
 }
 
 Sink sink_of(OutputFile& file) { return Sink{write_bytes, &file.stream()}; }
+
+bool is_tree_name(const std::string& path) {
+    return equal_ignoring_case(std::filesystem::path(path).extension().string(), ".osem");
+}
 
 const char* leaf_rule_name(LeafRule rule) { return rule == LeafRule::centre ? "centre" : "conservative"; }
 

@@ -56,6 +56,9 @@ class TreeFile {
     int depth_ = 0;
 };
 
+/// Whether a file's name ends as those of octree files do, in letters of either case.
+bool is_tree_name(const std::string& path);
+
 /// Takes the bytes of a stream; a refusal is the file's own fault state, which commit() reports.
 Sink sink_of(OutputFile& file);
 
