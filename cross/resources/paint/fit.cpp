@@ -40,7 +40,7 @@ void measure_fitting(LeafRule leaves) {
 }
 
 void measure_pruning(const Octree& tree) {
-    measured("Appraisal::begin", [&] { appraisal.begin(*tree.pool, tree.top, 0, 1); });
+    measured("Appraisal::begin", [&] { appraisal.begin(tree.pool, tree.top, 0, 1); });
     measured("Appraisal::step", [&] {
         while (appraisal.step()) {
         }
