@@ -106,8 +106,9 @@ bool replay_query(Reader& reader, Arena& arena, Report& report) {
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_segment(reader, report, a);
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_nearest(reader, report, a);
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_neighbour(reader, report, a);
-    for (std::uint8_t left = reader.u8(); left > 0; --left)
+    for (std::uint8_t left = reader.u8(); left > 0; --left) {
         replay_collision(reader, report, *collision, a, b);
+    }
     return true;
 }
 

@@ -24,8 +24,9 @@ void Labelling::fold() {
     const std::uint32_t word = blocks_[at_];
     if (is_halved(at_, word)) {
         ++at_;
-        if (block_.level != 0 && halvings_of(block_.level) == 0)
+        if (block_.level != 0 && halvings_of(block_.level) == 0) {
             builder_.open(child_at(block_.corner, third_of(block_.level)));
+        }
         block_ = block_.half(0);
         return;
     }
