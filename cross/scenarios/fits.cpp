@@ -42,7 +42,8 @@ std::uint64_t labelled_blocks() {
 std::uint64_t finest_fits() {
     Digest digest;
     std::uint32_t faces[32];
-    for (const std::uint32_t room : {0U, 9U, 60U, 400U, pool_capacity}) {
+    constexpr std::uint32_t rooms[] = {0, 9, 60, 400, pool_capacity};
+    for (const std::uint32_t room : rooms) {
         pool.roll_back(0);
         ConvertOptions options;
         options.depth = 6;

@@ -7,8 +7,9 @@ namespace {
 bool is_octant(const Octant& octant) {
     if (octant.level > max_depth) return false;
     for (const std::int32_t coordinate : octant.corner.at) {
-        if (coordinate < 0 || coordinate >= root_side || (coordinate & (octant.side() - 1)) != 0)
+        if (coordinate < 0 || coordinate >= root_side || (coordinate & (octant.side() - 1)) != 0) {
             return false;
+        }
     }
     return true;
 }
