@@ -103,6 +103,7 @@ std::vector<Binding> bindings_of(const Options& options) {
 
 std::vector<CsgToken> tokens_of(const Options& options, const std::vector<Binding>& bindings) {
     std::vector<std::string> names;
+    names.reserve(bindings.size());
     for (const Binding& binding : bindings) names.push_back(binding.name);
     try {
         return parse_expression(options.expression, names);
@@ -177,8 +178,9 @@ CsgOptions options_for(const std::vector<Operand>& operands, const Options& opti
 }
 
 [[noreturn]] void refuse(const CsgFault& fault, const std::vector<Operand>& operands) {
-    if (fault.status == Status::expression_too_large)
+    if (fault.status == Status::expression_too_large) {
         throw CLI::ValidationError("EXPR", describe(fault.status));
+    }
     const bool of_tree = fault.operand < operands.size() && operands[fault.operand].tree;
     if (of_tree) operands[fault.operand].tree->file.refuse(fault.status, fault.offset);
     throw BadInput(describe(fault.status));
@@ -188,6 +190,7 @@ TreeOutcome run_pass(CsgConversion& job, const std::vector<CsgToken>& tokens,
                      const std::vector<Operand>& operands, const CsgOptions& options, NodePool* pool,
                      Progress& progress) {
     std::vector<CsgOperand> views;
+    views.reserve(operands.size());
     for (const Operand& operand : operands) {
         views.push_back(operand.tree ? CsgOperand(operand.tree->stream) : CsgOperand(*operand.mesh->operand));
     }
