@@ -83,8 +83,9 @@ struct RunLines {
     static bool take(void* context, const PixelRun& run) {
         auto& self = *static_cast<RunLines*>(context);
         if (!self.lines.start_line()) return false;
-        for (const std::int32_t value : {self.layer, run.row, run.start, run.length})
+        for (const std::int32_t value : {self.layer, run.row, run.start, run.length}) {
             self.lines.number(value);
+        }
         self.lines.word(run.colour == Colour::black ? "black\n" : "boundary\n");
         return true;
     }

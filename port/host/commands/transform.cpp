@@ -104,7 +104,7 @@ Octree run_job(std::unique_ptr<HostPool>& pool, const Octree& tree, Progress& pr
     const auto job = std::make_unique<Job>();
     for (const bool count_only : {true, false}) {
         const Status begun = begin(*job, pool->adopted(tree), pool->pool(), count_only);
-        if (begun != Status::ok) throw BadInput(describe(begun));
+        if (begun != Status::ok) throw BadInput{describe(begun)};
         drive(*job, progress, count_only ? 0 : 1, 2);
         const TreeOutcome outcome = job->finish();
         if (!count_only) return tree_of(outcome);

@@ -62,8 +62,9 @@ void write_off(std::ostream& out, const Solid& view, const WorldCube& cube) {
     Text text(out);
     text.word("OFF").end_line();
     text.number(view.vertex_count).number(view.face_count).number(0).end_line();
-    for (std::uint32_t v = 0; v < view.vertex_count; ++v)
+    for (std::uint32_t v = 0; v < view.vertex_count; ++v) {
         text.point(world(view.vertices[v], cube)).end_line();
+    }
     for (std::uint32_t face = 0; face < view.face_count; ++face) {
         const Ring ring = view.ring(view.first_ring(face));
         text.number(ring.count);
@@ -117,10 +118,13 @@ void write_stl(std::ostream& out, const Solid& view, const WorldCube& cube) {
     for (std::uint32_t face = 0; face < view.face_count; ++face) {
         const Ring ring = view.ring(view.first_ring(face));
         char record[50] = {}; // a null normal: readers take the corners' order
+        char* to = record + 12;
         for (std::uint32_t i = 0; i < 3; ++i) {
             const World w = world(view.vertices[ring.corners[i]], cube);
-            for (std::uint32_t axis = 0; axis < 3; ++axis)
-                put_float(record + 12 + 12 * i + 4 * axis, w[axis]);
+            for (const auto coordinate : w) {
+                put_float(to, coordinate);
+                to += 4;
+            }
         }
         out.write(record, sizeof record);
     }
