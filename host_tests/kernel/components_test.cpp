@@ -26,7 +26,7 @@ constexpr std::uint8_t colour_sets[] = {inner_solid,
 struct Labelled {
     Labelled(const Octree& tree, std::uint8_t colours, Connectivity connectivity,
              std::uint32_t budget = UINT32_MAX)
-        : scratch(component_scratch(measure(tree), colours)) {
+        : scratch(static_cast<std::size_t>(component_scratch(measure(tree), colours))) {
         job.begin(tree, colours, connectivity, scratch.data(), static_cast<std::uint32_t>(scratch.size()));
         std::uint64_t before = 0;
         while (job.step(budget)) {
