@@ -63,7 +63,7 @@ bool same(const Passage& passage, const Stay& stay) {
     const std::vector<Stay> stays = expected_stays(leaves_of(tree), p, q);
     for (std::uint8_t colours = 0; colours < 16; ++colours) {
         const auto first = std::find_if(stays.begin(), stays.end(), [colours](const Stay& stay) {
-            return ((colours >> static_cast<unsigned>(stay.leaf.colour)) & 1U) != 0;
+            return (colours & colour_bit(stay.leaf.colour)) != 0;
         });
         const HitOutcome found = first_hit(tree, {in_units(p), in_units(q)}, colours);
         if (found.status != Status::ok || found.hit != (first != stays.end()) ||

@@ -1,5 +1,7 @@
 #include "boundary/link_cycle.hpp"
 
+#include "tree/masks.hpp"
+
 namespace osem {
 
 namespace {
@@ -8,8 +10,6 @@ struct Step {
     Quad quad;
     bool turns;
 };
-
-bool holds(std::uint8_t solid, unsigned cell) { return ((solid >> cell) & 1U) != 0; }
 
 Quad quad_of(unsigned cell, unsigned normal) {
     return Quad{static_cast<std::uint8_t>(cell), static_cast<std::uint8_t>(normal)};
@@ -20,9 +20,9 @@ Step successor(std::uint8_t solid, Quad quad) {
     const unsigned along = plane_axis(quad.facing(), quad.last_way());
     const unsigned across = 3U - quad.normal - along;
     const unsigned beside = quad.cell ^ (1U << across);
-    if (!holds(solid, beside)) return {quad_of(quad.cell, across), true};
+    if (!contains(solid, beside)) return {quad_of(quad.cell, across), true};
     const unsigned above = beside ^ (1U << quad.normal);
-    if (!holds(solid, above)) return {quad_of(beside, quad.normal), false};
+    if (!contains(solid, above)) return {quad_of(beside, quad.normal), false};
     return {quad_of(above, across), true};
 }
 

@@ -2,6 +2,7 @@
 #include "boundary/corner_order.hpp"
 #include "boundary/link_cycle.hpp"
 #include "osem/boundary.hpp"
+#include "tree/masks.hpp"
 
 namespace osem {
 
@@ -47,9 +48,8 @@ void Boundary::visit_point(const Point& at, std::uint8_t solid) {
     for (std::uint8_t normal = 0; normal < 3; ++normal) {
         for (std::uint8_t cell = 0; cell < 8; ++cell) {
             const Quad quad = {cell, normal};
-            const bool on_surface =
-                ((solid >> cell) & 1U) != 0 && ((solid >> (cell ^ (1U << normal))) & 1U) == 0;
-            if (!on_surface || ((seen >> quad.number()) & 1U) != 0) continue;
+            const bool on_surface = contains(solid, cell) && !contains(solid, cell ^ (1U << normal));
+            if (!on_surface || contains(seen, quad.number())) continue;
             const LinkCycle cycle = link_cycle(solid, quad);
             for (unsigned i = 0; i < cycle.count; ++i) seen |= std::uint32_t{1} << cycle.quads[i].number();
             if (cycle.crease_count() > 2) take_cycle(at, cycle);
@@ -69,7 +69,7 @@ void Boundary::take_cycle(const Point& at, const LinkCycle& cycle) {
     for (unsigned i = 0; i < cycle.count; ++i) {
         if (!cycle.has_crease(i)) continue;
         const unsigned direction = cycle.direction(i);
-        if ((direction & 1U) != 0 && ((directions >> direction) & 1U) != 0) divide_edge(at, cycle, i);
+        if ((direction & 1U) != 0 && contains(directions, direction)) divide_edge(at, cycle, i);
         directions |= 1U << direction;
     }
 }

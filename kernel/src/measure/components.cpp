@@ -101,7 +101,7 @@ bool ComponentLabelling::BlockWalk::read(Leaf& leaf, std::uint32_t& place) {
             frame.block += blocks_.words[block];
             octant_ = octant_.child(child);
             enter(pool_->child(frame.node, child), block);
-        } else if (((counted_children(frame.node, blocks_.colours) >> child) & 1U) != 0) {
+        } else if (contains(counted_children(frame.node, blocks_.colours), child)) {
             leaf = Leaf{frame.node.is_uniform() ? root_octant : octant_.child(child), colour};
             place = frame.leaf++;
             return true;

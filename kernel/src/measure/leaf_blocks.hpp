@@ -20,7 +20,7 @@ constexpr std::uint8_t counted_children(const Node& node, std::uint8_t colours) 
 /// The place of leaf child k of a node whose block stands at `block`; 0 when it has none.
 constexpr std::uint32_t leaf_place(const Node& node, std::uint8_t colours, std::uint32_t block, unsigned k) {
     const std::uint8_t counted = counted_children(node, colours);
-    if (((counted >> k) & 1U) == 0) return 0;
+    if (!contains(counted, k)) return 0;
     return block + 1 + count_bits(static_cast<std::uint8_t>(counted & ((1U << k) - 1U)));
 }
 

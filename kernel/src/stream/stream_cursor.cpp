@@ -99,7 +99,7 @@ std::uint64_t StreamCursor::byte_of(std::uint64_t code) const { return loaded_ -
 void StreamCursor::arrive() {
     if (!load()) return;
     offset_ = byte_of(at_);
-    colour_ = static_cast<Colour>((buffer_[at_ / 4] >> (2 * (at_ % 4))) & 3U);
+    colour_ = static_cast<Colour>(std::uint32_t{buffer_[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
     ++at_;
     const Status status = path_.take(colour_);
     if (status != Status::ok) return fail(status, offset_);

@@ -209,10 +209,10 @@ void Translation::visit() {
     const unsigned meeting = children_in(octant_, placement_.keep, 0);
     const unsigned within = children_within(octant_, placement_.keep);
     for (unsigned child = 0; child < 8; ++child) {
-        if (((meeting >> child) & 1U) == 0) {
+        if (!contains(meeting, child)) {
             found(child, Colour::white);
         } else {
-            settle(child, ((within >> child) & 1U) != 0);
+            settle(child, contains(within, child));
         }
     }
     // One colour more, or boundary, makes the octant looked into boundary: nothing in it matters any more.

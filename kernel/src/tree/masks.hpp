@@ -9,6 +9,9 @@ namespace osem {
 /// The children on the low side of an axis; the others are on its high side.
 constexpr std::uint8_t low_children[3] = {0x55, 0x33, 0x0f};
 
+/// True when member k is in a mask; the parameter's type keeps the shift unsigned.
+constexpr bool contains(std::uint32_t mask, unsigned k) { return (mask >> k & 1U) != 0; }
+
 /// The lowest child in a mask. Precondition: mask != 0.
 constexpr unsigned lowest(std::uint8_t mask) {
     // The bits below the lowest set one, counted.
