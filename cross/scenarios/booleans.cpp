@@ -11,14 +11,6 @@ namespace {
 constexpr Operator operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
                                   Operator::exclusive_or};
 
-void add(Digest& digest, const TreeOutcome& outcome) {
-    digest.add(outcome.status);
-    digest.add(outcome.nodes_needed);
-    digest.add(outcome.nodes_missing);
-    digest.add(outcome.tree.depth);
-    if (outcome.status == Status::ok) digest.add(osem::digest(outcome.tree));
-}
-
 // All operators both ways, each result given back at once.
 void add_combinations(Digest& digest, const Octree& a, const Octree& b) {
     const std::uint32_t mark = pool.used();

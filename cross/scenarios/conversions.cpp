@@ -8,15 +8,6 @@ namespace osem::cross {
 
 namespace {
 
-void add(Digest& digest, const TreeOutcome& outcome) {
-    digest.add(outcome.status);
-    digest.add(outcome.nodes_needed);
-    digest.add(outcome.nodes_missing);
-    if (outcome.status != Status::ok) return;
-    digest.add(outcome.tree.depth);
-    digest.add(osem::digest(outcome.tree));
-}
-
 void add(Digest& digest, const StageCounts& counts) {
     for (int stage = 0; stage < stage_count; ++stage) {
         digest.add(counts.rejected[stage]);

@@ -6,19 +6,6 @@
 
 namespace osem::cross {
 
-namespace {
-
-void add(Digest& digest, const TreeOutcome& outcome) {
-    digest.add(outcome.status);
-    digest.add(outcome.nodes_needed);
-    digest.add(outcome.nodes_missing);
-    if (outcome.status != Status::ok) return;
-    digest.add(outcome.tree.depth);
-    digest.add(osem::digest(outcome.tree));
-}
-
-} // namespace
-
 // Where the blocks outgrow the words they are only counted.
 std::uint64_t labelled_blocks() {
     Digest digest;

@@ -103,4 +103,13 @@ Solid tetrahedra(std::uint32_t seed, const Point& low, std::int32_t side) {
     return triangle_mesh(built_vertices, 4 * count, built_corners, 4 * count);
 }
 
+void add(Digest& digest, const TreeOutcome& outcome) {
+    digest.add(outcome.status);
+    digest.add(outcome.nodes_needed);
+    digest.add(outcome.nodes_missing);
+    if (outcome.status != Status::ok) return;
+    digest.add(outcome.tree.depth);
+    digest.add(osem::digest(outcome.tree));
+}
+
 } // namespace osem::cross

@@ -20,6 +20,9 @@ Solid nested_shells();
 /// Five random tetrahedra of either orientation that overlap, within `side` units from `low`.
 Solid tetrahedra(std::uint32_t seed, const Point& low, std::int32_t side);
 
+/// What a conversion says and the tree that it gave, if it did.
+void add(Digest& digest, const TreeOutcome& outcome);
+
 } // namespace osem::cross
 
 #endif

@@ -10,13 +10,7 @@ namespace {
 
 // A result, which then leaves the pool again.
 void add(Digest& digest, const TreeOutcome& outcome, std::uint32_t mark) {
-    digest.add(outcome.status);
-    digest.add(outcome.nodes_needed);
-    digest.add(outcome.nodes_missing);
-    if (outcome.status == Status::ok) {
-        digest.add(outcome.tree.depth);
-        digest.add(osem::digest(outcome.tree));
-    }
+    add(digest, outcome);
     pool.roll_back(mark);
 }
 

@@ -264,9 +264,27 @@ TEST(Labelling, StepsOfEverySizeAndGivingUp) {
         ASSERT_EQ(run.begin(job, solid, 3, WindingRule::nonzero, &*pool), Status::ok);
         if (!job.step(steps)) break;
         ASSERT_EQ(job.finish().built.status, Status::unfinished);
+        ASSERT_FALSE(job.step(1));
+        ASSERT_EQ(job.finish().built.status, Status::unfinished);
         ASSERT_TRUE(before.same_nodes(pool));
     }
     EXPECT_EQ(job.finish().built.status, Status::ok);
+    EXPECT_EQ(job.finish().built.status, Status::ok);
+}
+
+// Given up before it is known how many blocks there are, a labelling never says that they did not fit.
+TEST(Labelling, GivenUpWithTooFewWordsItStaysUnfinished) {
+    const SmallSolid solid = boxes_solid({box(1, 15)});
+    Words run(solid, 3);
+    Labelling job;
+    HeapPool pool(1000);
+    ASSERT_EQ(run.begin(job, solid, 3, WindingRule::nonzero, &*pool), Status::ok);
+    ASSERT_TRUE(job.step(20));
+    for (int time = 0; time < 2; ++time) EXPECT_EQ(job.finish().built.status, Status::unfinished);
+    ASSERT_EQ(run.begin(job, solid, 3, WindingRule::nonzero, &*pool), Status::ok);
+    while (job.step(UINT32_MAX)) {
+    }
+    for (int time = 0; time < 2; ++time) EXPECT_EQ(job.finish().built.status, Status::scratch_too_small);
 }
 
 TEST(Labelling, Refusals) {

@@ -165,6 +165,7 @@ TEST(Fitting, GivingUpRollsBack) {
         const bool more = job.step(steps);
         wrote = wrote || (more && pool->used() > 3);
         const FitOutcome outcome = job.finish();
+        EXPECT_EQ(job.finish().built.status, outcome.built.status);
         if (!more) break;
         ASSERT_EQ(outcome.built.status, Status::unfinished);
         ASSERT_TRUE(before.same_nodes(pool));

@@ -254,6 +254,19 @@ TEST(Pruning, GivingUpRollsBack) {
     EXPECT_EQ(job.finish().built.status, Status::ok);
 }
 
+// A top node of leaves needs no pool.
+TEST(Pruning, ATreeWithoutAPool) {
+    const Node leaves = Node::of(0x35, 0x14, 0);
+    for (const Node& top : {Node::uniform(Colour::black), leaves}) {
+        Pruning job;
+        const PruneOutcome outcome = prune(job, Octree{nullptr, top, 2}, 0, nullptr);
+        EXPECT_EQ(outcome.built.status, Status::ok);
+        EXPECT_EQ(outcome.built.tree.top, top);
+        EXPECT_EQ(outcome.built.nodes_needed, 0U);
+        EXPECT_EQ(outcome.inner_lost + outcome.outer_gained + outcome.above_optimum, 0U);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

@@ -113,8 +113,8 @@ TEST(StreamQuery, EqualityIsThatOfTheGrids) {
     }
 }
 
-// Every query says of a damaged stream what a walk over it says.
-TEST(StreamQuery, FaultsAreThoseOfTheWalk) {
+// Every query says of a damaged stream what the reader into a pool says.
+TEST(StreamQuery, FaultsAreThoseOfTheReader) {
     const DenseGrid grid = random_grid(3, 5, three_colours);
     HeapPool pool(5000);
     const Octree tree = planted(grid, *pool);
@@ -122,23 +122,23 @@ TEST(StreamQuery, FaultsAreThoseOfTheWalk) {
     for (std::size_t at = 0; at < whole.size(); ++at) {
         Bytes bytes = whole;
         bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ 0x10U);
-        StreamCursor cursor;
-        cursor.begin(source_of(bytes));
-        while (!cursor.done()) cursor.next();
-        ASSERT_NE(cursor.status(), Status::ok);
+        HeapPool room(1000);
+        StreamReader reader;
+        const StreamOutcome read = read_stream(reader, bytes, &*room);
+        ASSERT_NE(read.built.status, Status::ok);
         const StreamMeasures measured = measure(source_of(bytes));
-        EXPECT_EQ(measured.status, cursor.status());
-        EXPECT_EQ(measured.offset, cursor.offset());
+        EXPECT_EQ(measured.status, read.built.status);
+        EXPECT_EQ(measured.offset, read.offset);
         const StreamDigest digested = digest(source_of(bytes));
-        EXPECT_EQ(digested.status, cursor.status());
-        EXPECT_EQ(digested.offset, cursor.offset());
+        EXPECT_EQ(digested.status, read.built.status);
+        EXPECT_EQ(digested.offset, read.offset);
         for (const StreamComparison& outcome :
              {same_leaves(source_of(bytes), source_of(whole)),
               same_leaves(source_of(whole), source_of(bytes)), same_leaves(source_of(bytes), tree)}) {
             EXPECT_FALSE(outcome.same);
             if (at < stream_header_size || at >= whole.size() - stream_trailer_size) {
-                EXPECT_EQ(outcome.status, cursor.status());
-                EXPECT_EQ(outcome.offset, cursor.offset());
+                EXPECT_EQ(outcome.status, read.built.status);
+                EXPECT_EQ(outcome.offset, read.offset);
             }
         }
     }

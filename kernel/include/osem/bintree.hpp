@@ -104,7 +104,8 @@ class Labelling {
     LabellingOutcome finish();
 
   private:
-    enum class Phase : std::uint8_t { marking, linking, folding, done };
+    /// In the order of work; a labelling given up has no more of it either.
+    enum class Phase : std::uint8_t { marking, linking, folding, done, given_up };
     struct Frame {
         std::uint32_t faces; ///< length of the prefix of the face list that meets this block
         std::uint32_t index; ///< of its word
@@ -116,7 +117,6 @@ class Labelling {
     };
     void mark();
     void leave();
-    std::uint32_t select(std::uint32_t faces);
     bool fits() const { return needed_ <= block_size_; }
     void append(std::uint32_t word);
     void start_linking();

@@ -65,6 +65,17 @@ struct Octant {
     }
 };
 
+/// Whether a value is an octant of the root: its level in [0, max_depth], its corner in the root and a
+/// multiple of its side.
+constexpr bool is_octant(const Octant& octant) {
+    if (octant.level > max_depth) return false;
+    for (const std::int32_t coordinate : octant.corner.at) {
+        const bool on_grid = (coordinate & (octant.side() - 1)) == 0;
+        if (coordinate < 0 || coordinate >= root_side || !on_grid) return false;
+    }
+    return true;
+}
+
 /// Number of lattice cells (side 1) in an octant of a level: 8^(lattice_bits - level).
 constexpr std::uint64_t volume_at(int level) { return std::uint64_t{1} << (3 * (lattice_bits - level)); }
 

@@ -42,9 +42,9 @@ class StreamCombination {
     std::uint64_t decided_volume() const { return decided_ / 2; }
 
     /// Status: ok; unfinished; the faults of StreamCursor, the operand named; sink_refused, after which
-    /// nothing more was written; source_failed also when the second pass came to another node count than the
-    /// first one; stream_count_mismatch, operand 0 and offset 0, when the result has more than 2^32 - 1
-    /// nodes.
+    /// nothing more was written; source_failed with offset 0 when the second pass read another payload from
+    /// the operand than the first one; stream_count_mismatch, operand 0 and offset 0, when the result has
+    /// more than 2^32 - 1 nodes.
     StreamCombinationOutcome finish();
 
   private:
@@ -54,6 +54,7 @@ class StreamCombination {
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
     void end_pass();
+    bool is_unchanged();
     void visit();
     void advance(bool past_leaves);
     void release();
@@ -69,6 +70,8 @@ class StreamCombination {
     Sink sink_ = {};
     StreamCombinationOutcome outcome_ = {Status::unfinished, 0, 0, {}};
     std::uint64_t decided_ = 0;
+    std::uint32_t checksum_a_ = 0; ///< of the first pass
+    std::uint32_t checksum_b_ = 0;
     Operator op_ = Operator::unite;
     Phase phase_ = Phase::idle;
     Held held_ = Held::none; ///< the operand that stays at a leaf while the other one walks below it

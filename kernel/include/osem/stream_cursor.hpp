@@ -60,6 +60,9 @@ class StreamCursor {
     /// The byte of the stream at which the fault was seen; without a fault the byte of the octant's code.
     std::uint64_t offset() const { return offset_; }
 
+    /// The checksum of the payload read so far; of a walk to the end it is the stream's own.
+    std::uint32_t checksum() const { return crc_; }
+
   private:
     void fail(Status status, std::uint64_t offset);
     Status read_header();

@@ -85,10 +85,10 @@ bool Labelling::is_component_inside() const {
 }
 
 LabellingOutcome Labelling::finish() {
-    const bool all_marked = phase_ == Phase::done || phase_ == Phase::folding;
+    const bool all_marked = phase_ == Phase::folding || phase_ == Phase::done;
     LabellingOutcome outcome = {builder_.finish(depth_), needed_, components_};
     if (all_marked && !fits()) outcome.built.status = Status::scratch_too_small;
-    phase_ = Phase::done;
+    phase_ = all_marked ? Phase::done : Phase::given_up;
     return outcome;
 }
 

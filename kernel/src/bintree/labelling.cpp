@@ -54,7 +54,7 @@ Status Labelling::begin(const CheckedSolid& solid, int depth, WindingRule windin
 }
 
 bool Labelling::step(std::uint32_t steps) {
-    for (; steps > 0 && phase_ != Phase::done; --steps) {
+    for (; steps > 0 && phase_ < Phase::done; --steps) {
         switch (phase_) {
         case Phase::marking:
             mark();
@@ -66,7 +66,7 @@ bool Labelling::step(std::uint32_t steps) {
             fold();
         }
     }
-    return phase_ != Phase::done;
+    return phase_ < Phase::done;
 }
 
 // Blocks past the end of the scratch are only counted.
@@ -79,7 +79,8 @@ void Labelling::append(std::uint32_t word) {
 void Labelling::mark() {
     ++visited_;
     const std::uint32_t faces =
-        select(block_.level == 0 ? solid_.view().face_count : frames_[block_.level - 1].faces);
+        select_faces(solid_.view(), box_of(block_), list_,
+                     block_.level == 0 ? solid_.view().face_count : frames_[block_.level - 1].faces, stages_);
     met_ = faces != 0;
     if (!met_) {
         append(count_); // a component by itself so far
@@ -116,22 +117,6 @@ void Labelling::leave() {
         }
     }
     phase_ = fits() ? Phase::folding : Phase::done;
-}
-
-std::uint32_t Labelling::select(std::uint32_t faces) {
-    const Box box = box_of(block_);
-    std::uint32_t met = 0;
-    for (std::uint32_t i = 0; i < faces; ++i) {
-        const std::uint32_t face = list_[i];
-        const Decision decision = classify_box(solid_.view(), face, box);
-        const int stage = static_cast<int>(decision.stage);
-        ++(decision.meets ? stages_.accepted : stages_.rejected)[stage];
-        if (decision.meets) {
-            list_[i] = list_[met];
-            list_[met++] = face;
-        }
-    }
-    return met;
 }
 
 // Brings the faces that lie in the plane between the halves to the front of the block's list.

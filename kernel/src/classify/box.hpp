@@ -21,6 +21,11 @@ inline Box box_of(const Octant& octant) {
 /// As classify, for a box within the root.
 Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box);
 
+/// Brings the faces of the list's first `count` that meet a box to its front and says how many they are. Adds
+/// up what each stage decided. Cost: a classification a face.
+std::uint32_t select_faces(const Solid& solid, const Box& box, std::uint32_t* list, std::uint32_t count,
+                           StageCounts& stages);
+
 } // namespace osem
 
 #endif

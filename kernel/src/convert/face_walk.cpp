@@ -13,19 +13,7 @@ void FaceWalk::begin(const CheckedSolid& solid, std::uint32_t* list) {
 }
 
 std::uint32_t FaceWalk::select(const Octant& octant, std::uint32_t faces) {
-    const Box box = box_of(octant);
-    std::uint32_t met = 0;
-    for (std::uint32_t i = 0; i < faces; ++i) {
-        const std::uint32_t face = list_[i];
-        const Decision decision = classify_box(solid_.view(), face, box);
-        const int stage = static_cast<int>(decision.stage);
-        ++(decision.meets ? stages_.accepted : stages_.rejected)[stage];
-        if (decision.meets) {
-            list_[i] = list_[met];
-            list_[met++] = face;
-        }
-    }
-    return met;
+    return select_faces(solid_.view(), box_of(octant), list_, faces, stages_);
 }
 
 std::int32_t FaceWalk::crossings(const Point& from, Axis axis, std::int32_t length,

@@ -45,7 +45,7 @@ FitOutcome Fitting::finish() {
     FitOutcome outcome = {conversion_.finish(), visited_ + conversion_.octants_visited()};
     if (!whole) outcome.built.status = Status::unfinished;
     running_ = false;
-    writing_ = false;
+    writing_ = whole; // asked again, the answer is the same
     return outcome;
 }
 

@@ -6,15 +6,6 @@ namespace osem {
 
 namespace {
 
-bool is_octant(const Octant& octant) {
-    if (octant.level > max_depth) return false;
-    for (const std::int32_t coordinate : octant.corner.at) {
-        const bool on_grid = (coordinate & (octant.side() - 1)) == 0;
-        if (coordinate < 0 || coordinate >= root_side || !on_grid) return false;
-    }
-    return true;
-}
-
 // As face_neighbour; when the neighbour is grey, `node` becomes the one that divides it.
 NeighbourOutcome find(const Octree& tree, const Octant& octant, OctantFace face, Node& node) {
     NeighbourOutcome outcome = {Status::coordinate_out_of_range, false, root_octant, Colour::boundary, 0};

@@ -4,16 +4,6 @@ namespace osem {
 
 namespace {
 
-bool is_octant(const Octant& octant) {
-    if (octant.level > max_depth) return false;
-    for (const std::int32_t coordinate : octant.corner.at) {
-        if (coordinate < 0 || coordinate >= root_side || (coordinate & (octant.side() - 1)) != 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
 // Which child, of the octant of a level that holds it, a point lies in.
 unsigned child_at(const Point& point, int level) {
     const std::int32_t half = root_side >> (level + 1);
