@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::int32_t reach = std::int32_t{1} << 29;
 
-Status fault_of(const CellBox& box) {
+Status fault_in_reach(const CellBox& box) {
     Status status = Status::ok;
     for (unsigned axis = 0; axis < 3; ++axis) {
         const std::int32_t low = box.low.at[axis];
@@ -144,7 +144,7 @@ class Search {
 
 NearestOutcome nearest_leaf(const Octree& tree, const CellBox& from, std::uint8_t colours,
                             std::uint64_t within) {
-    NearestOutcome outcome = {fault_of(from), false, Leaf{root_octant, Colour::white}, within, 0};
+    NearestOutcome outcome = {fault_in_reach(from), false, Leaf{root_octant, Colour::white}, within, 0};
     if (outcome.status != Status::ok) return outcome;
     Search search(tree, from, colours, outcome);
     do {
