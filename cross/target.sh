@@ -57,8 +57,7 @@ for level in O0 O2 Os LTO; do
     levels=$((levels + 1))
 done
 
-# Every case written has to be replayed, but for those too large for a Cortex-M part: at most a fifth of a topic, of
-# the measures seven tenths, because labelling takes a word a leaf and the micro:bit has 8 KB for a case.
+# Every case written has to be replayed, but for those too large for a Cortex-M part: at most a fifth of a topic.
 build "$out/$main" osem_replay
 (cd "$common/vectors" && run_on "$target" "$out/$main/cross/replay/osem_replay" *.vec) > "$out/replay" || {
     show "$out/replay"
@@ -71,7 +70,7 @@ awk -v percent=$too_large_allowed '
     { for (i = 2; i <= 4; ++i) { split($i, field, "="); count[field[1]] = field[2] } }
     $1 == "replay" { done = 1; next }
     { ++replayed; if (count["cases"] + count["too_large"] != written[$1] ||
-                      100 * count["too_large"] > (percent > 0 && $1 == "measure" ? 70 : percent) * written[$1]) { print "of topic", $0; exit 1 } }
+                      100 * count["too_large"] > percent * written[$1]) { print "of topic", $0; exit 1 } }
     END { if (!done || replayed != topics || topics == 0) { print "of", topics, "topics", replayed + 0, "were replayed"; exit 1 } }
     ' "$common/vectors/written.txt" "$out/replay" >&2 || fail "not every case was replayed"
 read -r cases failures too_large < <(sed -n 's/^replay cases=\([0-9]*\) failures=\([0-9]*\) too_large=\([0-9]*\)$/\1 \2 \3/p' "$out/replay")

@@ -2,8 +2,7 @@
 #include "osem/measure.hpp"
 #include "osem/components.hpp"
 
-#include "leaf_planter.hpp"
-#include "records.hpp"
+#include "planted_tree.hpp"
 #include "topics.hpp"
 
 namespace osem::cross {
@@ -41,57 +40,57 @@ void replay_component(Reader& reader, Report& report, const Component& found) {
     report.expect("whether a component touches the border", reader.u8(), found.touches_border ? 1 : 0);
 }
 
-struct Work {
-    ComponentLabelling* job;
-    std::uint32_t* scratch;
-    std::uint32_t size;
-    Component* found;
-};
+constexpr std::uint32_t component_size = 33; // bytes in a record
 
-void replay_labelling(Reader& reader, Report& report, const Work& work, const Octree& tree) {
-    report.begin_case();
+// A labelling takes a word for each node and leaf that counts, and what it finds: exactly that is taken.
+void replay_labelling(Reader& reader, Arena& arena, Report& report, const Octree& tree) {
     const std::uint8_t colours = reader.u8();
     const auto connectivity = static_cast<Connectivity>(reader.u8());
     const std::uint32_t expected = reader.u32();
-    work.job->begin(tree, colours, connectivity, work.scratch, work.size);
-    while (work.job->step(1000)) {
+    const ArenaScope scope(arena);
+    const auto words = static_cast<std::uint32_t>(component_scratch(measure(tree), colours));
+    auto* const job = arena.take<ComponentLabelling>(1);
+    auto* const scratch = arena.take<std::uint32_t>(words);
+    auto* const found = arena.take<Component>(expected);
+    if (job == nullptr || scratch == nullptr || found == nullptr) {
+        report.too_large();
+        reader.skip(expected * component_size);
+        return;
     }
-    const ComponentOutcome outcome = work.job->finish();
+    report.begin_case();
+    job->begin(tree, colours, connectivity, scratch, words);
+    while (job->step(1000)) {
+    }
+    const ComponentOutcome outcome = job->finish();
     report.expect("status of a labelling", static_cast<int>(Status::ok), static_cast<int>(outcome.status));
     report.expect("components", expected, outcome.components);
-    report.expect("words of scratch", static_cast<std::int64_t>(component_scratch(measure(tree), colours)),
-                  static_cast<std::int64_t>(outcome.scratch_needed));
-    const std::uint32_t filled = work.job->fill(work.found, expected < work.size ? expected : work.size);
-    for (std::uint32_t i = filled; i < expected && i < work.size; ++i) work.found[i] = Component{};
-    for (std::uint32_t i = 0; i < expected; ++i) {
-        replay_component(reader, report, i < work.size ? work.found[i] : Component{});
-    }
+    report.expect("words of scratch", words, static_cast<std::int64_t>(outcome.scratch_needed));
+    const std::uint32_t filled = outcome.status == Status::ok ? job->fill(found, expected) : 0;
+    for (std::uint32_t i = filled; i < expected; ++i) found[i] = Component{};
+    for (std::uint32_t i = 0; i < expected; ++i) replay_component(reader, report, found[i]);
+}
+
+void replay_measures(Reader& reader, Report& report, SurfaceMeasurement& job, const Octree& tree) {
+    report.begin_case();
+    const SolidMoments m = moments(tree);
+    const SurfaceOutcome surface = measure_surface(job, tree);
+    replay_solid(reader, report, m.inner, surface.inner);
+    replay_solid(reader, report, m.outer, surface.outer);
 }
 
 } // namespace
 
 bool replay_measure(Reader& reader, Arena& arena, Report& report) {
-    const std::uint8_t depth = reader.u8();
-    const std::uint32_t leaves = reader.u32();
-    const std::uint32_t nodes = nodes_of(leaves);
-    Node* const memory = take_nodes(arena, nodes);
-    auto* const builder = arena.take<TreeBuilder>(1);
-    auto* const surface = arena.take<SurfaceMeasurement>(1);
-    const Work work = {arena.take<ComponentLabelling>(1), arena.take<std::uint32_t>(nodes + leaves),
-                       nodes + leaves, arena.take<Component>(nodes + leaves)};
-    if (memory == nullptr || builder == nullptr || surface == nullptr || work.found == nullptr) return false;
-    if (work.job == nullptr || work.scratch == nullptr) return false;
-    NodePool pool(memory, nodes);
-    const TreeOutcome outcome = plant_leaves(reader, depth, leaves, *builder, pool);
-    report.begin_case();
-    report.expect("status of the tree", static_cast<int>(Status::ok), static_cast<int>(outcome.status));
-    if (outcome.status != Status::ok) return true;
-    const SolidMoments m = moments(outcome.tree);
-    const SurfaceOutcome measured = measure_surface(*surface, outcome.tree);
-    replay_solid(reader, report, m.inner, measured.inner);
-    replay_solid(reader, report, m.outer, measured.outer);
+    const PlantedTree planted(reader, arena);
+    if (!planted.fits()) return false;
+    {
+        const ArenaScope scope(arena); // the surface's memory is given back
+        auto* const surface = arena.take<SurfaceMeasurement>(1);
+        if (surface == nullptr) return false;
+        replay_measures(reader, report, *surface, planted.tree());
+    }
     for (std::uint8_t left = reader.u8(); left > 0; --left) {
-        replay_labelling(reader, report, work, outcome.tree);
+        replay_labelling(reader, arena, report, planted.tree());
     }
     return true;
 }

@@ -4,8 +4,7 @@
 #include "osem/neighbour.hpp"
 #include "osem/ray.hpp"
 
-#include "leaf_planter.hpp"
-#include "records.hpp"
+#include "planted_tree.hpp"
 #include "topics.hpp"
 
 namespace osem::cross {
@@ -76,33 +75,17 @@ void replay_collision(Reader& reader, Report& report, Collision& job, const Octr
     report.expect("contact", reader.u8(), static_cast<int>(found.contact));
 }
 
-// What one tree of a record takes.
-struct Plot {
-    std::uint8_t depth;
-    std::uint32_t leaves;
-    Node* memory;
-};
-
-Plot read_plot(Reader& reader, Arena& arena) {
-    const std::uint8_t depth = reader.u8();
-    const std::uint32_t leaves = reader.u32();
-    return Plot{depth, leaves, take_nodes(arena, nodes_of(leaves))};
-}
-
 } // namespace
 
 bool replay_query(Reader& reader, Arena& arena, Report& report) {
-    auto* const builder = arena.take<TreeBuilder>(1);
     auto* const collision = arena.take<Collision>(1);
-    if (builder == nullptr || collision == nullptr) return false;
-    const Plot plot_a = read_plot(reader, arena);
-    if (plot_a.memory == nullptr) return false;
-    NodePool pool_a(plot_a.memory, nodes_of(plot_a.leaves));
-    const Octree a = plant_leaves(reader, plot_a.depth, plot_a.leaves, *builder, pool_a).tree;
-    const Plot plot_b = read_plot(reader, arena);
-    if (plot_b.memory == nullptr) return false;
-    NodePool pool_b(plot_b.memory, nodes_of(plot_b.leaves));
-    const Octree b = plant_leaves(reader, plot_b.depth, plot_b.leaves, *builder, pool_b).tree;
+    if (collision == nullptr) return false;
+    const PlantedTree planted_a(reader, arena);
+    if (!planted_a.fits()) return false;
+    const PlantedTree planted_b(reader, arena);
+    if (!planted_b.fits()) return false;
+    const Octree& a = planted_a.tree();
+    const Octree& b = planted_b.tree();
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_segment(reader, report, a);
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_nearest(reader, report, a);
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_neighbour(reader, report, a);

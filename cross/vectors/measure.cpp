@@ -81,7 +81,7 @@ void write_measure(const std::string& folder) {
     VectorFile file(osem::cross::Topic::measure);
     Writer writer(file);
     for (const Colour colour : osem::tests::three_colours) writer.add(DenseGrid(1, colour));
-    for (std::uint32_t seed = 0; seed < 160; ++seed) writer.add(osem::tests::grid_of(seed));
+    for (std::uint32_t seed = 0; seed < 150; ++seed) writer.add(osem::tests::grid_of(seed));
     for (std::uint32_t seed = 0; seed < 80; ++seed) {
         writer.add(osem::tests::random_grid(3, 1000 + seed, osem::tests::two_colours));
     }
