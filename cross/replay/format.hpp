@@ -56,6 +56,17 @@
 //                  Morton order), or u8 1 and a solid; u32 pool nodes, u8 rows, each u8 tokens and so many
 //                  u8: an operand's number, 16 + an Operator, or 32: the complement; then a tree. A row is a
 //                  case
+//     transform    u32 pool nodes that a result takes at most, u8 depth, u32 leaves, the leaves in Morton
+//                  order; u8 cases, each u8 Transform and: place: the vector and the box to keep as three
+//                  points, u8 cut at the root, u8 depth, u8 mixed as boundary; reorient: three u8 from, u8
+//                  flips; coarsen: u8 depth, u8 mode; enlarge and reduce: an octant (point, u8 level); then
+//                  u8 status and, if it is ok, u8 depth, u32 leaves, the leaves and u64 digest
+//     slice        u8 depth, u32 leaves, the leaves in Morton order; u8 cases, each u8 axis, i32 cell, u8
+//                  level, u8 status, u16 bytes that follow: for each row the bytes of the outer and of the
+//                  inner bitmap, u8 runs (white ones too), each u8 pixels and u8 colour
+//     stream       two streams, each u32 bytes and the bytes; u8 rows, each u8 operation (as in boolean), u8
+//                  whether the result is the first operand, and a tree; u8 damages, each u8 operand, u32
+//                  byte, u8 bit: turned over, the operand is refused. A row or a damage is a case
 //
 // `where` is the face for face_not_planar, the vertex for coordinate_off_lattice, the corner for
 // index_out_of_range, the ring for ring_too_short, and 0 otherwise.
@@ -86,11 +97,15 @@ enum class Topic : std::uint8_t {
     boolean,
     measure,
     query,
-    csg
+    csg,
+    transform,
+    slice,
+    stream
 };
-constexpr std::uint8_t topic_count = 10;
+constexpr std::uint8_t topic_count = 13;
 constexpr const char* topic_names[topic_count] = {"orientation", "plane",   "classify", "crossing", "frame",
-                                                  "conversion",  "boolean", "measure",  "query",    "csg"};
+                                                  "conversion",  "boolean", "measure",  "query",    "csg",
+                                                  "transform",   "slice",   "stream"};
 
 /// The bits of a `classify` answer.
 constexpr std::uint8_t answer_meets = 1;
@@ -105,6 +120,9 @@ constexpr std::uint8_t operand_tree = 0;
 constexpr std::uint8_t operand_solid = 1;
 constexpr std::uint8_t token_combine = 16;
 constexpr std::uint8_t token_complement = 32;
+
+/// The questions of a `transform` record.
+enum class Transform : std::uint8_t { place, reorient, coarsen, enlarge, reduce };
 
 /// What a stream's header says of the world: 1, -2, 0.5 and 1048576 as binary64.
 constexpr std::uint64_t stream_frame[4] = {0x3ff0000000000000, 0xc000000000000000, 0x3fe0000000000000,

@@ -23,7 +23,8 @@ Reader reader; // static, because it is too large for a small stack
 using Replay = bool (*)(Reader&, Arena&, Report&);
 constexpr Replay replays[topic_count] = {
     replay_orientation, replay_plane,   replay_classify, replay_crossing, replay_frame,
-    replay_conversion,  replay_boolean, replay_measure,  replay_query,    replay_csg};
+    replay_conversion,  replay_boolean, replay_measure,  replay_query,    replay_csg,
+    replay_transform,   replay_slice,   replay_stream};
 
 // A file is read through once before it is replayed, so that the cases of a damaged one are not run.
 bool is_whole(const char* path) {

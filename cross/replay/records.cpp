@@ -35,20 +35,6 @@ bool feed_reader(void* context, const std::uint8_t* bytes, std::size_t count) {
     return static_cast<StreamReader*>(context)->feed(bytes, count) == Status::ok;
 }
 
-void compare_measures(Report& report, const TreeTruth& truth, const Octree& tree) {
-    const Measures found = measure(tree);
-    const auto expect = [&](const char* what, std::uint64_t expected, std::uint64_t value) {
-        report.expect(what, static_cast<std::int64_t>(expected), static_cast<std::int64_t>(value));
-    };
-    expect("nodes", truth.nodes, found.nodes);
-    expect("white leaves", truth.white_leaves, found.white_leaves);
-    expect("black leaves", truth.black_leaves, found.black_leaves);
-    expect("boundary leaves", truth.boundary_leaves, found.boundary_leaves);
-    expect("inner volume", truth.inner_volume, found.inner_volume);
-    expect("outer volume", truth.outer_volume, found.outer_volume);
-    expect("digest", truth.digest, digest(tree));
-}
-
 void compare_leaves(Reader& reader, Report& report, std::uint32_t leaves, const Octree& tree) {
     LeafWalk walk(tree);
     Leaf leaf = {};
@@ -59,20 +45,6 @@ void compare_leaves(Reader& reader, Report& report, std::uint32_t leaves, const 
     reader.skip(leaves - seen);
     const bool more = seen == leaves && walk.next(leaf);
     report.expect("leaves walked", leaves, more ? seen + 1 : seen);
-}
-
-void compare_query(Reader& reader, Report& report, const Octree& tree) {
-    const Point cell = reader.point();
-    const auto status = static_cast<Status>(reader.u8());
-    const std::uint8_t expected = reader.u8();
-    const PointOutcome found = leaf_at(tree, cell);
-    if (!report.expect("status of leaf_at", static_cast<int>(status), static_cast<int>(found.status))) return;
-    if (status != Status::ok) return;
-    report.expect("leaf_at", expected, encoded(found.leaf.octant.level, found.leaf.colour));
-    const std::int32_t mask = -(root_side >> encoded_level(expected));
-    for (int axis = 0; axis < 3; ++axis) {
-        report.expect("corner of leaf_at", cell.at[axis] & mask, found.leaf.octant.corner.at[axis]);
-    }
 }
 
 } // namespace
@@ -123,14 +95,54 @@ void skip_tree(Reader& reader, const TreeTruth& truth) {
     reader.skip(queries * query_size);
 }
 
+void compare_measures(Report& report, const TreeTruth& truth, const Measures& found, std::uint64_t digest) {
+    const auto expect = [&](const char* what, std::uint64_t expected, std::uint64_t value) {
+        report.expect(what, static_cast<std::int64_t>(expected), static_cast<std::int64_t>(value));
+    };
+    expect("nodes", truth.nodes, found.nodes);
+    expect("white leaves", truth.white_leaves, found.white_leaves);
+    expect("black leaves", truth.black_leaves, found.black_leaves);
+    expect("boundary leaves", truth.boundary_leaves, found.boundary_leaves);
+    expect("inner volume", truth.inner_volume, found.inner_volume);
+    expect("outer volume", truth.outer_volume, found.outer_volume);
+    expect("digest", truth.digest, digest);
+}
+
+PointQuery read_query(Reader& reader) {
+    const Point cell = reader.point();
+    const auto status = static_cast<Status>(reader.u8());
+    return PointQuery{cell, status, reader.u8()};
+}
+
+void compare_query(Report& report, const PointQuery& query, const PointOutcome& found) {
+    if (!report.expect("status of leaf_at", static_cast<int>(query.status), static_cast<int>(found.status))) {
+        return;
+    }
+    if (query.status != Status::ok) return;
+    report.expect("leaf_at", query.leaf, encoded(found.leaf.octant.level, found.leaf.colour));
+    const std::int32_t mask = -(root_side >> encoded_level(query.leaf));
+    for (int axis = 0; axis < 3; ++axis) {
+        report.expect("corner of leaf_at", query.cell.at[axis] & mask, found.leaf.octant.corner.at[axis]);
+    }
+}
+
 void compare_tree(Reader& reader, Report& report, const TreeTruth& truth, const Octree& tree, LeafRule rule) {
-    compare_measures(report, truth, tree);
+    compare_measures(report, truth, measure(tree), digest(tree));
     std::uint32_t crc = 0;
     report.expect("status of write_stream", static_cast<int>(Status::ok),
                   static_cast<int>(write_stream(tree, header_of(rule), Sink{append_to_crc, &crc})));
     report.expect("CRC of the stream", truth.stream_crc, crc);
     compare_leaves(reader, report, truth.leaves, tree);
-    for (std::uint8_t queries = reader.u8(); queries > 0; --queries) compare_query(reader, report, tree);
+    for (std::uint8_t queries = reader.u8(); queries > 0; --queries) {
+        const PointQuery query = read_query(reader);
+        compare_query(report, query, leaf_at(tree, query.cell));
+    }
+}
+
+void compare_leaves(Reader& reader, Report& report, const Octree& tree) {
+    report.expect("depth", reader.u8(), tree.depth);
+    compare_leaves(reader, report, reader.u32(), tree);
+    report.expect("digest", reader.i64(), static_cast<std::int64_t>(digest(tree)));
 }
 
 StreamOutcome copied(const Octree& tree, LeafRule rule, StreamReader& copy, NodePool* pool) {

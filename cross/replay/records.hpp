@@ -34,9 +34,24 @@ TreeTruth read_tree_truth(Reader& reader);
 /// Goes over the leaves and queries of a tree record.
 void skip_tree(Reader& reader, const TreeTruth& truth);
 
+/// Compares what was measured of a tree with the record.
+void compare_measures(Report& report, const TreeTruth& truth, const Measures& found, std::uint64_t digest);
+
+/// A query of a tree record: a cell, and the leaf (4 * level + colour) that holds it if the status is ok.
+struct PointQuery {
+    Point cell;
+    Status status;
+    std::uint8_t leaf;
+};
+PointQuery read_query(Reader& reader);
+void compare_query(Report& report, const PointQuery& query, const PointOutcome& found);
+
 /// Compares a tree with the record, which is read to its end: measures, digest, the bytes of its stream,
 /// every leaf as it is read, and point queries.
 void compare_tree(Reader& reader, Report& report, const TreeTruth& truth, const Octree& tree, LeafRule rule);
+
+/// Compares a tree with u8 depth, u32 leaves, the leaves in Morton order and u64 digest.
+void compare_leaves(Reader& reader, Report& report, const Octree& tree);
 
 /// Writes the tree as a stream straight into a reader of streams: into `pool`, or a null one, which only
 /// validates and counts.

@@ -19,6 +19,9 @@ bool replay_boolean(Reader& reader, Arena& arena, Report& report);
 bool replay_measure(Reader& reader, Arena& arena, Report& report);
 bool replay_query(Reader& reader, Arena& arena, Report& report);
 bool replay_csg(Reader& reader, Arena& arena, Report& report);
+bool replay_transform(Reader& reader, Arena& arena, Report& report);
+bool replay_slice(Reader& reader, Arena& arena, Report& report);
+bool replay_stream(Reader& reader, Arena& arena, Report& report);
 
 } // namespace osem::cross
 

@@ -26,6 +26,9 @@ void write_all(const std::string& folder) {
         {"measure", vectors::write_measure},
         {"query", vectors::write_query},
         {"csg", vectors::write_csg},
+        {"transform", vectors::write_transform},
+        {"slice", vectors::write_slice},
+        {"stream", vectors::write_stream},
     };
     std::filesystem::create_directories(folder);
     vectors::VectorFile::print_table_head();

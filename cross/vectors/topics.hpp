@@ -16,6 +16,9 @@ void write_boolean(const std::string& folder);
 void write_measure(const std::string& folder);
 void write_query(const std::string& folder);
 void write_csg(const std::string& folder);
+void write_transform(const std::string& folder);
+void write_slice(const std::string& folder);
+void write_stream(const std::string& folder);
 
 } // namespace vectors
 

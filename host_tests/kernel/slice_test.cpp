@@ -1,49 +1,16 @@
 // Slices against a grid in which every pixel is found by looking at its cells one by one.
 #include <gtest/gtest.h>
 
-#include <set>
 #include <vector>
 
 #include "osem/slice.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
+#include "support/slices.hpp"
 
 namespace osem::tests {
 
 namespace {
-
-using Row = std::vector<Colour>;
-using Rows = std::vector<Row>;
-
-// The axes of the rows and across them, as the header states them.
-constexpr int along[3] = {1, 0, 0};
-constexpr int across[3] = {2, 2, 1};
-
-Colour pixel_of(const DenseGrid& grid, const Slice& slice, int row, int column) {
-    const int cells = 1 << (grid.depth() - slice.level);
-    std::set<Colour> seen;
-    for (int v = row * cells; v < (row + 1) * cells; ++v) {
-        for (int u = column * cells; u < (column + 1) * cells; ++u) {
-            Point cell = {{slice.cell, slice.cell, slice.cell}};
-            cell.at[along[slice.axis]] = u * grid.cell_side();
-            cell.at[across[slice.axis]] = v * grid.cell_side();
-            seen.insert(grid.at(cell));
-        }
-    }
-    return seen.size() == 1 ? *seen.begin() : Colour::boundary;
-}
-
-Rows expected_rows(const DenseGrid& grid, const Slice& slice) {
-    const int pixels = 1 << slice.level;
-    Rows rows;
-    for (int row = 0; row < pixels; ++row) {
-        rows.emplace_back();
-        for (int column = 0; column < pixels; ++column) {
-            rows.back().push_back(pixel_of(grid, slice, row, column));
-        }
-    }
-    return rows;
-}
 
 // Runs, and how many of them a sink takes before it refuses.
 struct TakenRuns {
@@ -75,28 +42,6 @@ struct TakenRows {
 
 bool same_run(const PixelRun& a, const PixelRun& b) {
     return a.row == b.row && a.start == b.start && a.length == b.length && a.colour == b.colour;
-}
-
-// The maximal runs of a row, by comparing each pixel with the one before it.
-std::vector<PixelRun> runs_of(const Row& row, int number, bool white) {
-    std::vector<PixelRun> runs;
-    int start = 0;
-    for (int i = 1; i <= static_cast<int>(row.size()); ++i) {
-        const Colour colour = row[static_cast<std::size_t>(start)];
-        if (i < static_cast<int>(row.size()) && row[static_cast<std::size_t>(i)] == colour) continue;
-        if (white || colour != Colour::white) runs.push_back({number, start, i - start, colour});
-        start = i;
-    }
-    return runs;
-}
-
-std::vector<std::uint8_t> bits_of(const Row& row, bool inner) {
-    std::vector<std::uint8_t> bytes((row.size() + 7) / 8);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        const bool set = inner ? row[i] == Colour::black : row[i] != Colour::white;
-        if (set) bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (0x80 >> (i % 8)));
-    }
-    return bytes;
 }
 
 void expect_walk(const Octree& tree, const Slice& slice, const Rows& expected) {
@@ -332,7 +277,7 @@ TEST(Slices, ARowVisitsTheNodesOnIt) {
             for (NodeWalk walk(tree); !walk.done(); walk.next()) {
                 const Octant& o = walk.octant();
                 const std::int32_t layer = cell - o.corner.at[axis];
-                const std::int32_t line = row * grid.cell_side() - o.corner.at[across[axis]];
+                const std::int32_t line = row * grid.cell_side() - o.corner.at[slice_across[axis]];
                 met += layer >= 0 && layer < o.side() && line >= 0 && line < o.side() ? 1U : 0U;
             }
             RowWalk walk;

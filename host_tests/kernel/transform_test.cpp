@@ -8,99 +8,11 @@
 #include "osem/transform.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
+#include "support/transforms.hpp"
 
 namespace osem::tests {
 
 namespace {
-
-bool holds(const CellBox& box, const Point& cell) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (cell.at[axis] < box.low.at[axis] || cell.at[axis] >= box.high.at[axis]) return false;
-    }
-    return true;
-}
-
-constexpr CellBox whole_root = {Point{{0, 0, 0}}, Point{{root_side, root_side, root_side}}};
-
-Point minus(const Point& a, const Point& b) {
-    return {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]}};
-}
-Point plus(const Point& a, const Point& b) {
-    return {{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]}};
-}
-
-// The placed grid at a depth at which it is exact.
-DenseGrid placed(const DenseGrid& grid, const Placement& placement, int depth) {
-    return make_grid(depth, [&](const Point& corner, std::int32_t) {
-        const Point source = minus(corner, placement.by);
-        return holds(whole_root, source) && holds(placement.keep, corner) ? grid.at(source) : Colour::white;
-    });
-}
-
-bool leaves_root(const DenseGrid& grid, const Point& by) {
-    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-        if (grid[cell] == Colour::white) continue;
-        const Point low = plus(grid.corner(cell), by);
-        for (const std::int32_t at : low.at) {
-            if (at < 0 || at > root_side - grid.cell_side()) return true;
-        }
-    }
-    return false;
-}
-
-// The cells of an octant of a depth, by their colours.
-struct Counts {
-    std::size_t white = 0;
-    std::size_t boundary = 0;
-    std::size_t black = 0;
-};
-
-Colour coarse_colour(const Counts& n, Coarse mode) {
-    const bool all_white = n.boundary + n.black == 0;
-    const bool all_black = n.boundary + n.white == 0;
-    if (mode == Coarse::inner) return all_black ? Colour::black : Colour::white;
-    if (mode == Coarse::outer) return all_white ? Colour::white : Colour::black;
-    if (mode == Coarse::majority) return n.black > n.white ? Colour::black : Colour::white;
-    return all_white ? Colour::white : all_black ? Colour::black : Colour::boundary;
-}
-
-// Cells of an octant stand side by side in Morton order.
-DenseGrid coarse(const DenseGrid& grid, int depth, Coarse mode) {
-    DenseGrid result(std::min(depth, grid.depth()));
-    const std::size_t cells = grid.size() / result.size();
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        Counts n;
-        for (std::size_t cell = i * cells; cell < (i + 1) * cells; ++cell) {
-            const Colour colour = grid[cell];
-            ++(colour == Colour::white ? n.white : colour == Colour::black ? n.black : n.boundary);
-        }
-        result[i] = coarse_colour(n, mode);
-    }
-    return result;
-}
-
-// Of a range of whole steps of the root's side / 2^bits.
-std::int32_t steps(std::mt19937& random, int bits, std::int32_t low, std::int32_t high) {
-    return (low + static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(high - low + 1))) *
-           (root_side >> bits);
-}
-
-CellBox random_box(std::mt19937& random, int bits) {
-    CellBox box = whole_root;
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::int32_t a = steps(random, bits, 0, (1 << bits) - 1);
-        const std::int32_t b = steps(random, bits, 1, 1 << bits);
-        box.low.at[axis] = std::min(a, b);
-        box.high.at[axis] = a == b ? a + (root_side >> bits) : std::max(a, b);
-    }
-    return box;
-}
-
-Point random_vector(std::mt19937& random, int bits, std::int32_t most) {
-    const std::int32_t x = steps(random, bits, -most, most);
-    const std::int32_t y = steps(random, bits, -most, most);
-    return {{x, y, random() % 3 == 0 ? 0 : steps(random, bits, -most, most)}};
-}
 
 TEST(Translations, EveryCellGoesWhereTheVectorTakesIt) {
     Translation job;
@@ -125,6 +37,7 @@ TEST(Translations, EveryCellGoesWhereTheVectorTakesIt) {
         const int depth = placed_depth(grid.depth(), placement);
         ASSERT_LE(depth, 5);
         ASSERT_EQ(outcome.status, Status::ok) << "seed " << seed;
+        ASSERT_EQ(depth, exact_depth(grid, placement));
         ASSERT_EQ(int{outcome.tree.depth}, depth);
         ASSERT_EQ(digest(outcome.tree), expected_digest(placed(grid, placement, depth))) << "seed " << seed;
         ++moved;
@@ -290,16 +203,12 @@ TEST(Reorientations, EveryCellGoesToItsImage) {
             HeapPool pool(20000);
             const Octree tree = planted(grid, *pool);
             const Symmetry symmetry = Symmetry::nth(n);
-            DenseGrid expected(grid.depth());
-            const Symmetry back = symmetry.inverse();
-            for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-                expected[cell] = grid.at(back.cell(grid.corner(cell)));
-            }
+            const DenseGrid expected = reoriented(grid, symmetry);
             const TreeOutcome outcome = reorient(job, tree, symmetry, *pool);
             ASSERT_EQ(outcome.status, Status::ok);
             ASSERT_EQ(int{outcome.tree.depth}, grid.depth());
             ASSERT_EQ(digest(outcome.tree), expected_digest(expected)) << "seed " << seed << ", " << n;
-            EXPECT_TRUE(same_leaves(reorient(job, outcome.tree, back, *pool).tree, tree));
+            EXPECT_TRUE(same_leaves(reorient(job, outcome.tree, symmetry.inverse(), *pool).tree, tree));
         }
     }
 }
@@ -341,14 +250,6 @@ TEST(Coarsenings, EveryModeAndDepthAgainstCountedCells) {
     }
 }
 
-DenseGrid enlarged_grid(const DenseGrid& grid, const Octant& octant) {
-    return make_grid(std::max(1, grid.depth() - octant.level), [&](const Point& corner, std::int32_t) {
-        Point source = octant.corner;
-        for (int axis = 0; axis < 3; ++axis) source.at[axis] += corner.at[axis] >> octant.level;
-        return grid.at(source);
-    });
-}
-
 TEST(Scales, AnOctantFillsTheRootAndTheRootAnOctant) {
     Translation cut;
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
@@ -371,6 +272,9 @@ TEST(Scales, AnOctantFillsTheRootAndTheRootAnOctant) {
             ASSERT_EQ(int{down.tree.depth}, grid.depth() + level);
             ASSERT_EQ(pool->used(), used + down.nodes_needed);
             ASSERT_LE(down.nodes_needed, level);
+            if (grid.depth() + level <= 5) {
+                ASSERT_EQ(digest(down.tree), expected_digest(reduced_grid(grid, octant)));
+            }
             const Octree again = enlarged(down.tree, octant).tree;
             ASSERT_EQ(again.top, tree.top);
             ASSERT_EQ(again.depth, tree.depth);
