@@ -1,0 +1,29 @@
+// Nothing is timed before all methods have given the same cells.
+#ifndef OSEM_BENCH_AGREEMENT_HPP
+#define OSEM_BENCH_AGREEMENT_HPP
+
+#include <cstdint>
+#include <string>
+
+#include "bench/solids.hpp"
+
+namespace osem::bench {
+
+/// Ends the program with a message unless `holds`.
+void require(bool holds, const std::string& message);
+
+/// What the methods make of a solid at a depth. Cells are leaves at full depth.
+struct Agreement {
+    std::uint64_t cells;          ///< whose centre is inside: octree, runs and bits agree
+    std::uint64_t inner_cells;    ///< inside throughout
+    std::uint64_t boundary_cells; ///< which a face meets
+};
+
+/// Converts by every exact method, once for each solid and depth; ends the program where they differ: the
+/// centre tree, the runs and the bits must have the same number of cells, and it must lie between the inner
+/// and the outer solid of the conservative tree.
+const Agreement& agreement_on(const std::string& solid, int depth);
+
+} // namespace osem::bench
+
+#endif

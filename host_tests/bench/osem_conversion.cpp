@@ -1,0 +1,26 @@
+#include "bench/osem_conversion.hpp"
+
+#include "bench/agreement.hpp"
+
+namespace osem::bench {
+
+OsemConversion::OsemConversion(const BenchSolid& solid, int depth, LeafRule leaves)
+    : solid_(solid.checked()), options_{depth, leaves, WindingRule::nonzero},
+      scratch_(convert_scratch(solid_.view())) {
+    const auto scratch_size = static_cast<std::uint32_t>(scratch_.size());
+    const TreeOutcome counted = convert(*job_, solid_, options_, scratch_.data(), scratch_size, nullptr);
+    require(counted.status == Status::ok, describe(counted.status));
+    nodes_ = counted.nodes_needed;
+    pool_ = std::make_unique<host::HostPool>(nodes_);
+}
+
+Octree OsemConversion::run() {
+    pool_->pool().roll_back(0);
+    const auto scratch_size = static_cast<std::uint32_t>(scratch_.size());
+    const TreeOutcome outcome =
+        convert(*job_, solid_, options_, scratch_.data(), scratch_size, &pool_->pool());
+    require(outcome.status == Status::ok, describe(outcome.status));
+    return outcome.tree;
+}
+
+} // namespace osem::bench

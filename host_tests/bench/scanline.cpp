@@ -1,0 +1,134 @@
+#include "bench/scanline.hpp"
+
+#include <algorithm>
+
+#include "bench/row_crossings.hpp"
+
+namespace osem::bench {
+
+namespace {
+
+// A crossing: its cell doubled, plus 1 where the row leaves the solid. So at one cell entering comes first,
+// and runs that touch are one.
+constexpr std::uint32_t crossing_code(std::int64_t cell, bool enters) {
+    return static_cast<std::uint32_t>(2 * cell) + (enters ? 0 : 1);
+}
+
+void sort_few(std::uint16_t* first, std::uint16_t* end) {
+    if (end - first > 32) {
+        std::sort(first, end);
+        return;
+    }
+    for (std::uint16_t* next = first + 1; next < end; ++next) {
+        const std::uint16_t code = *next;
+        std::uint16_t* to = next;
+        for (; to > first && to[-1] > code; --to) *to = to[-1];
+        *to = code;
+    }
+}
+
+// Writes the runs of one row, whose crossings are sorted; returns their end.
+Run* write_runs(const std::uint16_t* code, const std::uint16_t* end, Run* to) {
+    std::int32_t winding = 0;
+    std::uint16_t begin = 0;
+    for (; code < end; ++code) {
+        const auto cell = static_cast<std::uint16_t>(*code / 2);
+        if (winding == 0) begin = cell;
+        winding += (*code & 1U) == 0 ? 1 : -1;
+        if (winding == 0 && begin < cell) *to++ = Run{begin, cell};
+    }
+    return to;
+}
+
+} // namespace
+
+std::uint64_t RunGrid::cells() const {
+    std::uint64_t sum = 0;
+    for (const Run& run : runs) sum += static_cast<std::uint64_t>(run.end - run.begin);
+    return sum;
+}
+
+std::uint64_t BitGrid::cells() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t word : words) sum += static_cast<std::uint64_t>(__builtin_popcountll(word));
+    return sum;
+}
+
+std::uint64_t Scanline::bytes() const {
+    return crossings_.capacity() * sizeof crossings_[0] + sorted_.capacity() * sizeof sorted_[0];
+}
+
+void Scanline::convert(const std::vector<Point>& vertices, const std::vector<host::Triangle>& triangles,
+                       int depth, RunGrid& result) {
+    const Cells cells(depth);
+    const std::uint32_t side = 1U << depth;
+    result.side = side;
+    result.starts.assign(std::size_t{side} * side + 1, 0);
+    std::uint32_t* const counts = result.starts.data();
+
+    std::size_t count = 0;
+    std::uint64_t row = 0;
+    const auto span = [&](std::int64_t z, std::int64_t from, std::int64_t to) {
+        const auto length = static_cast<std::size_t>(to - from);
+        if (crossings_.size() - count < length) crossings_.resize(2 * (count + length));
+        row = static_cast<std::uint64_t>(z) * side + static_cast<std::uint64_t>(from);
+    };
+    const auto cross = [&](std::int64_t x, bool enters) {
+        ++counts[row];
+        crossings_[count++] = row++ << 32 | crossing_code(x, enters);
+    };
+    for (const host::Triangle& t : triangles) {
+        RowCrossings(cells, vertices[t[0]], vertices[t[1]], vertices[t[2]]).visit(span, cross);
+    }
+
+    std::uint32_t sum = 0;
+    for (std::uint32_t& entry : result.starts) {
+        const std::uint32_t here = entry;
+        entry = sum;
+        sum += here;
+    }
+    sorted_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        sorted_[counts[crossings_[i] >> 32]++] = static_cast<std::uint16_t>(crossings_[i]);
+    }
+
+    // Each start has moved to its row's end, which is the next row's start.
+    result.runs.resize(count / 2);
+    Run* to = result.runs.data();
+    std::uint32_t first = 0;
+    for (std::size_t r = 0; r < std::size_t{side} * side; ++r) {
+        const std::uint32_t end = counts[r];
+        counts[r] = static_cast<std::uint32_t>(to - result.runs.data());
+        sort_few(sorted_.data() + first, sorted_.data() + end);
+        to = write_runs(sorted_.data() + first, sorted_.data() + end, to);
+        first = end;
+    }
+    result.runs.resize(static_cast<std::size_t>(to - result.runs.data()));
+    result.starts.back() = static_cast<std::uint32_t>(result.runs.size());
+}
+
+void fill_bits(const RunGrid& runs, BitGrid& result) {
+    const std::size_t row_words = runs.side / 64;
+    const std::size_t rows = std::size_t{runs.side} * runs.side;
+    result.side = runs.side;
+    result.words.resize(rows * row_words);
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::uint64_t* const words = result.words.data() + row * row_words;
+        std::fill_n(words, row_words, 0);
+        for (std::uint32_t i = runs.starts[row]; i < runs.starts[row + 1]; ++i) {
+            const std::size_t first = runs.runs[i].begin / 64U;
+            const std::size_t last = (runs.runs[i].end - 1U) / 64U;
+            const std::uint64_t from = ~std::uint64_t{0} << (runs.runs[i].begin % 64U);
+            const std::uint64_t to = ~std::uint64_t{0} >> (63U - (runs.runs[i].end - 1U) % 64U);
+            if (first == last) {
+                words[first] |= from & to;
+                continue;
+            }
+            words[first] |= from;
+            std::fill(words + first + 1, words + last, ~std::uint64_t{0});
+            words[last] |= to;
+        }
+    }
+}
+
+} // namespace osem::bench
