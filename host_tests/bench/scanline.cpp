@@ -1,6 +1,7 @@
 #include "bench/scanline.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "bench/row_crossings.hpp"
 
@@ -40,6 +41,21 @@ Run* write_runs(const std::uint16_t* code, const std::uint16_t* end, Run* to) {
     return to;
 }
 
+void set_bits(std::uint64_t* words, const Run& run) {
+    const unsigned last_bit = run.end - 1U;
+    const unsigned first = run.begin / 64U;
+    const unsigned last = last_bit / 64;
+    const std::uint64_t from = ~std::uint64_t{0} << (run.begin % 64U);
+    const std::uint64_t to = ~std::uint64_t{0} >> (63 - last_bit % 64);
+    if (first == last) {
+        words[first] |= from & to;
+        return;
+    }
+    words[first] |= from;
+    std::fill(words + first + 1, words + last, ~std::uint64_t{0});
+    words[last] |= to;
+}
+
 } // namespace
 
 std::uint64_t RunGrid::cells() const {
@@ -60,18 +76,23 @@ std::uint64_t Scanline::bytes() const {
 
 void Scanline::convert(const std::vector<Point>& vertices, const std::vector<host::Triangle>& triangles,
                        int depth, RunGrid& result) {
-    const Cells cells(depth);
-    const std::uint32_t side = 1U << depth;
-    result.side = side;
-    result.starts.assign(std::size_t{side} * side + 1, 0);
-    std::uint32_t* const counts = result.starts.data();
+    result.side = 1U << depth;
+    result.starts.assign(std::size_t{result.side} * result.side + 1, 0);
+    const std::size_t count = cross(vertices, triangles, depth, result.starts.data());
+    sort_into_rows(count, result.starts);
+    join(count, result);
+}
 
+// Crossings as triangles come; those of each row are counted by the way.
+std::size_t Scanline::cross(const std::vector<Point>& vertices, const std::vector<host::Triangle>& triangles,
+                            int depth, std::uint32_t* counts) {
+    const Cells cells(depth);
     std::size_t count = 0;
     std::uint64_t row = 0;
     const auto span = [&](std::int64_t z, std::int64_t from, std::int64_t to) {
         const auto length = static_cast<std::size_t>(to - from);
         if (crossings_.size() - count < length) crossings_.resize(2 * (count + length));
-        row = static_cast<std::uint64_t>(z) * side + static_cast<std::uint64_t>(from);
+        row = static_cast<std::uint64_t>((z << depth) + from);
     };
     const auto cross = [&](std::int64_t x, bool enters) {
         ++counts[row];
@@ -80,28 +101,30 @@ void Scanline::convert(const std::vector<Point>& vertices, const std::vector<hos
     for (const host::Triangle& t : triangles) {
         RowCrossings(cells, vertices[t[0]], vertices[t[1]], vertices[t[2]]).visit(span, cross);
     }
+    return count;
+}
 
+// Counts become starts, and each start moves to its row's end, which is the next row's start.
+void Scanline::sort_into_rows(std::size_t count, std::vector<std::uint32_t>& counts) {
     std::uint32_t sum = 0;
-    for (std::uint32_t& entry : result.starts) {
-        const std::uint32_t here = entry;
-        entry = sum;
-        sum += here;
-    }
+    for (std::uint32_t& entry : counts) sum += std::exchange(entry, sum);
     sorted_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         sorted_[counts[crossings_[i] >> 32]++] = static_cast<std::uint16_t>(crossings_[i]);
     }
+}
 
-    // Each start has moved to its row's end, which is the next row's start.
+// Each row's crossings become its runs, and each row's end the start of them.
+void Scanline::join(std::size_t count, RunGrid& result) {
     result.runs.resize(count / 2);
     Run* to = result.runs.data();
-    std::uint32_t first = 0;
-    for (std::size_t r = 0; r < std::size_t{side} * side; ++r) {
-        const std::uint32_t end = counts[r];
-        counts[r] = static_cast<std::uint32_t>(to - result.runs.data());
-        sort_few(sorted_.data() + first, sorted_.data() + end);
-        to = write_runs(sorted_.data() + first, sorted_.data() + end, to);
-        first = end;
+    std::uint16_t* from = sorted_.data();
+    for (std::size_t row = 0; row + 1 < result.starts.size(); ++row) {
+        std::uint16_t* const end = sorted_.data() + result.starts[row];
+        result.starts[row] = static_cast<std::uint32_t>(to - result.runs.data());
+        sort_few(from, end);
+        to = write_runs(from, end, to);
+        from = end;
     }
     result.runs.resize(static_cast<std::size_t>(to - result.runs.data()));
     result.starts.back() = static_cast<std::uint32_t>(result.runs.size());
@@ -115,19 +138,7 @@ void fill_bits(const RunGrid& runs, BitGrid& result) {
     for (std::size_t row = 0; row < rows; ++row) {
         std::uint64_t* const words = result.words.data() + row * row_words;
         std::fill_n(words, row_words, 0);
-        for (std::uint32_t i = runs.starts[row]; i < runs.starts[row + 1]; ++i) {
-            const std::size_t first = runs.runs[i].begin / 64U;
-            const std::size_t last = (runs.runs[i].end - 1U) / 64U;
-            const std::uint64_t from = ~std::uint64_t{0} << (runs.runs[i].begin % 64U);
-            const std::uint64_t to = ~std::uint64_t{0} >> (63U - (runs.runs[i].end - 1U) % 64U);
-            if (first == last) {
-                words[first] |= from & to;
-                continue;
-            }
-            words[first] |= from;
-            std::fill(words + first + 1, words + last, ~std::uint64_t{0});
-            words[last] |= to;
-        }
+        for (std::uint32_t i = runs.starts[row]; i < runs.starts[row + 1]; ++i) set_bits(words, runs.runs[i]);
     }
 }
 

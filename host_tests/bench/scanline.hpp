@@ -41,7 +41,7 @@ struct BitGrid {
 };
 
 /// Converts triangles to runs: crossings of all rows as triangles come, a counting sort into rows, then row
-/// by row the cells between. What it has allocated is used again by the next conversion.
+/// by row the cells between them. What it has allocated is used again by the next conversion.
 class Scanline {
   public:
     /// Depth 6 to 14; inside is where the winding number is not 0.
@@ -52,6 +52,11 @@ class Scanline {
     std::uint64_t bytes() const;
 
   private:
+    std::size_t cross(const std::vector<Point>& vertices, const std::vector<host::Triangle>& triangles,
+                      int depth, std::uint32_t* counts);
+    void sort_into_rows(std::size_t count, std::vector<std::uint32_t>& counts);
+    void join(std::size_t count, RunGrid& result);
+
     std::vector<std::uint64_t> crossings_; ///< row << 32 | crossing, as triangles come
     std::vector<std::uint16_t> sorted_;    ///< crossings, row after row
 };

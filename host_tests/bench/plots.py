@@ -1,0 +1,56 @@
+"""One picture: time by depth, time by faces, times the floor's, and Booleans."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+STYLE = {
+    "scan-runs": ("black", "o"), "scan-bits": ("grey", "s"), "osem-centre": ("tab:blue", "o"),
+    "osem-three": ("tab:cyan", "s"), "vdb-fill": ("tab:red", "^"),
+}
+
+
+def curve(axes, method, points):
+    points = sorted(points)
+    if points:
+        colour, marker = STYLE[method]
+        axes.loglog([x for x, _ in points], [y for _, y in points], color=colour, marker=marker, markersize=4,
+                    label=method)
+
+
+def by_depth(axes, found, solid):
+    for method in STYLE:
+        curve(axes, method, [(cells, found.ms("convert", solid, cells, method))
+                             for name, cells in found.subjects("convert")
+                             if name == solid and found.get("convert", solid, cells, method)])
+    axes.set(title=f"Conversion of {solid}", xlabel="cells along an axis", ylabel="ms")
+
+
+def by_faces(axes, found, prefix, title):
+    for method in STYLE:
+        curve(axes, method, [(int(name.split("-")[1]), found.ms("convert", name, cells, method))
+                             for name, cells in found.subjects("convert")
+                             if name.startswith(prefix) and found.get("convert", name, cells, method)])
+    axes.set(title=title, xlabel="faces", ylabel="ms")
+
+
+def booleans(axes, found):
+    bars = [(one["method"], one["ms"]) for one in found.as_list() if one["theme"] == "union" and one["cells"] == 1024]
+    axes.barh([method for method, _ in bars], [ms for _, ms in bars], log=True)
+    axes.set(title="Union of two trees at 1024", xlabel="ms")
+
+
+def draw(found, path):
+    figure, axes = plt.subplots(2, 3, figsize=(16, 9))
+    by_depth(axes[0][0], found, "armadillo")
+    by_depth(axes[0][1], found, "rotor")
+    by_depth(axes[0][2], found, "bracket")
+    by_faces(axes[1][0], found, "sphere-", "Sphere that fills the root, at 1024")
+    by_faces(axes[1][1], found, "dot-", "Sphere of 1/16 of the root, at 1024")
+    booleans(axes[1][2], found)
+    for one in axes.flat[:5]:
+        one.grid(True, which="both", alpha=0.3)
+        if one.lines:
+            one.legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)

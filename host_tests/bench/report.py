@@ -1,0 +1,101 @@
+"""Turns Google Benchmark's JSON into tables with ratios, a list of targets and a plot.
+
+usage: report.py RESULTS.json OUT    writes OUT.md, OUT.json and OUT.png
+"""
+import json
+import sys
+
+from measurements import Measurements
+from plots import draw
+from targets import judged
+
+METHODS = {
+    "convert": ["scan-runs", "scan-bits", "osem-centre", "osem-three", "vdb-fill"],
+    "union": ["runs", "osem-pool", "osem-stream", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
+              "cgal"],
+}
+METHODS["intersection"] = METHODS["difference"] = METHODS["union"]
+FLOOR = {"convert": "scan-runs", "union": "runs", "intersection": "runs", "difference": "runs"}
+TITLES = {
+    "convert": "Conversion",
+    "union": "Union",
+    "intersection": "Intersection",
+    "difference": "Difference",
+}
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def milliseconds(value):
+    return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
+
+
+def ratios(found, theme):
+    """A row a solid and grid, a column a method: milliseconds, and how many times the floor's they are."""
+    methods = [m for m in METHODS[theme] if found.has_method(theme, m)]
+    rows = []
+    for solid, cells in found.subjects(theme):
+        floor = found.get(theme, solid, cells, FLOOR[theme])
+        row = [f"{solid}, {cells}"]
+        for method in methods:
+            one = found.get(theme, solid, cells, method)
+            text = "" if one is None else milliseconds(one.ms)
+            if one is not None and floor is not None and method != FLOOR[theme]:
+                text += f" ({one.ms / floor.ms:.3g}x)"
+            row.append(text)
+        rows.append(row)
+    return table(["solid, cells along an axis"] + methods, rows)
+
+
+def per(one, counter):
+    count = one.counters.get(counter, 0)
+    return f"{one.ms * 1e6 / count:.1f}" if count else ""
+
+
+def details(found, theme, columns):
+    """A row a measurement: what a unit of work costs, and bytes."""
+    rows = []
+    for solid, cells in found.subjects(theme):
+        for method in METHODS[theme]:
+            one = found.get(theme, solid, cells, method)
+            if one is None:
+                continue
+            row = [f"{solid}, {cells}, {method}"]
+            row += [per(one, counter) for counter in columns]
+            row += [f"{int(one.counters[key])}" if key in one.counters else ""
+                    for key in ("result_bytes", "memory_bytes", "cells", "cells_off")]
+            rows.append(row)
+    head = ["solid, cells, method"] + ["ns per " + counter[:-1].replace("_", " ") for counter in columns]
+    return table(head + ["bytes of result", "bytes of memory", "cells inside", "cells that differ"], rows)
+
+
+def report(found):
+    parts = ["# Osem measured\n", found.context() + "\n"]
+    parts += ["Milliseconds of one thread's processor time, the least of the repetitions; in brackets how many times "
+              "the floor's, which is the exact scanline (runs).\n"]
+    for theme, title in TITLES.items():
+        if not found.subjects(theme):
+            continue
+        columns = ["octants", "boundary_cells"] if theme == "convert" else ["nodes"]
+        parts += [f"## {title}\n", ratios(found, theme), details(found, theme, columns)]
+    parts += ["## Targets\n", table(["target", "limit", "measured", ""], judged(found))]
+    return "\n".join(parts)
+
+
+def main():
+    results, out = sys.argv[1:3]
+    with open(results, encoding="utf-8") as file:
+        found = Measurements(json.load(file))
+    with open(out + ".md", "w", encoding="utf-8") as file:
+        file.write(report(found))
+    with open(out + ".json", "w", encoding="utf-8") as file:
+        json.dump({"measurements": found.as_list(), "targets": judged(found)}, file, indent=1)
+    draw(found, out + ".png")
+
+
+if __name__ == "__main__":
+    main()
