@@ -83,11 +83,7 @@ TEST(Orient, ShellsThatTouch) {
     EXPECT_EQ(volume6(disoriented(edge, 3)), 2 * box6(10));
 }
 
-// An octahedron stands with all its corners on the sides of a box around it. The box's corners are clear of
-// it, but whether it is inside cannot be seen at a corner.
-TEST(Orient, RefusesShellsThatTouchWithAllTheirCorners) {
-    Mesh mesh;
-    add_box(mesh, {10, 10, 10}, {30, 30, 30});
+void add_octahedron(Mesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const auto& p : std::vector<std::array<double, 3>>{
              {10, 20, 20}, {30, 20, 20}, {20, 10, 20}, {20, 30, 20}, {20, 20, 10}, {20, 20, 30}}) {
@@ -96,6 +92,56 @@ TEST(Orient, RefusesShellsThatTouchWithAllTheirCorners) {
     for (std::uint32_t k = 0; k < 8; ++k) {
         add_face(mesh, {{first + (k & 1U), first + 2 + (k >> 1 & 1U), first + 4 + (k >> 2)}});
     }
+}
+
+// All corners of an octahedron lie on a box around it, which a post on one of its corners makes higher.
+TEST(Orient, NestingIsDecidedWhereAllCornersTouch) {
+    Mesh mesh;
+    mesh.vertices = {{10, 10, 10}, {30, 10, 10}, {30, 30, 10}, {10, 30, 10}, {30, 10, 30},
+                     {30, 30, 30}, {10, 30, 30}, {12, 10, 30}, {12, 12, 30}, {10, 12, 30},
+                     {10, 10, 40}, {12, 10, 40}, {12, 12, 40}, {10, 12, 40}};
+    for (const auto& ring : std::vector<std::vector<std::uint32_t>>{{0, 3, 2, 1},
+                                                                    {0, 10, 13, 9, 6, 3},
+                                                                    {0, 1, 4, 7, 11, 10},
+                                                                    {1, 2, 5, 4},
+                                                                    {2, 3, 6, 5},
+                                                                    {7, 4, 5, 6, 9, 8},
+                                                                    {7, 8, 12, 11},
+                                                                    {8, 9, 13, 12},
+                                                                    {10, 11, 12, 13}}) {
+        add_face(mesh, {ring});
+    }
+    add_octahedron(mesh); // of six times the volume 8 * 10^3
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        EXPECT_EQ(volume6(disoriented(mesh, seed)), box6(20) + 6 * 2 * 2 * 10 - 8000);
+    }
+}
+
+// The thirteen dark cubes of a chequered block of 27. All edges of the middle one have four facets: only the
+// file's own vertices say which of them are its.
+TEST(Orient, SheetsThatTouchAreToldApartByTheirVertices) {
+    Mesh mesh;
+    for (unsigned i = 0; i < 27; ++i) {
+        const unsigned at[3] = {i % 3, i / 3 % 3, i / 9};
+        if ((at[0] + at[1] + at[2]) % 2 == 0) continue;
+        add_box(mesh, {10.0 * at[0], 10.0 * at[1], 10.0 * at[2]},
+                {10.0 * at[0] + 10, 10.0 * at[1] + 10, 10.0 * at[2] + 10});
+    }
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const IntegerSolid solid = quantize(disoriented(mesh, seed), lattice_cube());
+        EXPECT_NO_THROW(check_or_throw(solid));
+        EXPECT_EQ(topology(solid).volume6, 13 * box6(10));
+        EXPECT_EQ(solid.vertices.size(), 4U * 4U * 4U - 8U); // the block's corners are light cubes'
+        EXPECT_EQ(solid.welded_vertices, 13U * 8U - 56U);
+    }
+}
+
+// An octahedron stands with all its corners on the sides of a box around it. The box's corners are clear of
+// it, but whether it is inside cannot be seen at a corner.
+TEST(Orient, RefusesShellsThatTouchWithAllTheirCorners) {
+    Mesh mesh;
+    add_box(mesh, {10, 10, 10}, {30, 30, 30});
+    add_octahedron(mesh);
     mesh.oriented = false;
     EXPECT_THROW(quantize(mesh, lattice_cube()), BadInput);
 }

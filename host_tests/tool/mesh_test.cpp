@@ -1,4 +1,8 @@
 // osem mesh: the surface of a tree as a file, and the tree that the file gives.
+#include <array>
+#include <random>
+#include <sstream>
+
 #include "support.hpp"
 
 namespace osem::tool_test {
@@ -64,6 +68,48 @@ TEST_F(Meshes, ATreeWithoutBoundaryComesBackItself) {
         for (const char* solid : {"inner", "outer"}) {
             ASSERT_TRUE(succeeded(mesh("solid", file, solid)));
             EXPECT_EQ(back(file)["digest"], digest) << file << ", " << solid;
+        }
+    }
+}
+
+// Cells of an 8 x 8 x 8 grid, each by the throw of a coin: sheets that touch along edges everywhere.
+std::string rough_off(unsigned seed) {
+    std::mt19937 random(seed);
+    std::ostringstream vertices;
+    std::ostringstream faces;
+    unsigned cells = 0;
+    for (unsigned i = 0; i < 512; ++i) {
+        if (random() % 2 == 0) continue;
+        for (unsigned k = 0; k < 8; ++k) {
+            vertices << (i % 8 + (k & 1U)) * 0.125 << ' ' << (i / 8 % 8 + (k >> 1 & 1U)) * 0.125 << ' '
+                     << (i / 64 + (k >> 2)) * 0.125 << '\n';
+        }
+        for (const auto& face : {std::array<unsigned, 4>{0, 2, 3, 1},
+                                 {4, 5, 7, 6},
+                                 {0, 1, 5, 4},
+                                 {2, 6, 7, 3},
+                                 {0, 4, 6, 2},
+                                 {1, 3, 7, 5}}) {
+            faces << 4;
+            for (const unsigned corner : face) faces << ' ' << 8 * cells + corner;
+            faces << '\n';
+        }
+        ++cells;
+    }
+    return "OFF\n" + std::to_string(8 * cells) + ' ' + std::to_string(6 * cells) + " 0\n" + vertices.str() +
+           faces.str();
+}
+
+TEST_F(Meshes, ARoughTreeComesBackItself) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        write_file(path("rough.off"), rough_off(seed));
+        ASSERT_TRUE(succeeded(osem(
+            {"convert", path("rough.off"), "-o", path("rough.osem"), "--depth", "3", "--frame", "0,0,0,1"})));
+        const std::string digest = info("rough")["digest"];
+        for (const char* file : {"surface.off", "surface.poly"}) {
+            ASSERT_TRUE(succeeded(mesh("rough", file)));
+            EXPECT_EQ(back(file)["digest"], digest) << file << ", " << seed;
+            EXPECT_TRUE(succeeded(osem({"check", path(file)}))) << seed;
         }
     }
 }

@@ -47,7 +47,10 @@ constexpr const char* footer =
     "manifold), signed volume in cubed world units, frame X,Y,Z,SIDE. Then how it came from the file:\n"
     "input_faces, input_vertices, welded_vertices (merged with one on the same lattice point), "
     "dropped_faces\n"
-    "(without area after rounding), triangulated_faces (bent by rounding), reoriented_faces (turned over).";
+    "(without area after rounding), triangulated_faces (bent by rounding), reoriented_faces (turned over).\n"
+    "Vertices with equal coordinates count as one: a surface that touches itself along an edge or in a "
+    "point,\n"
+    "as one that `osem mesh` wrote may, is not manifold here, though its file keeps the sheets apart.";
 
 } // namespace
 

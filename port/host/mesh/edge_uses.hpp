@@ -22,7 +22,7 @@ std::vector<std::uint32_t> next_corners(const FaceTable& faces);
 /// For every corner its face.
 std::vector<std::uint32_t> faces_of_corners(const FaceTable& faces);
 
-/// All edge uses, those of an edge together. Vertices with equal coordinates must be one.
+/// All edge uses, those of an edge together; an edge is its two vertices, wherever these lie.
 std::vector<EdgeUse> edge_uses(const FaceTable& faces, std::uint32_t vertex_count,
                                const std::vector<std::uint32_t>& next);
 

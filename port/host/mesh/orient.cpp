@@ -149,8 +149,29 @@ class Orienter {
                 const Point& p = view_.vertices[view_.corners[corner]];
                 const auto touches = [&](std::uint32_t f) { return lies_on(view_, f, p); };
                 if (std::any_of(other.faces.begin(), other.faces.end(), touches)) continue;
-                const auto crosses = [&](std::uint32_t f) { return ray_crosses(view_, f, p); };
-                return std::count_if(other.faces.begin(), other.faces.end(), crosses) % 2 == 1;
+                return encloses(other, p);
+            }
+        }
+        return lies_inside_by_a_corner_within(shell, other);
+    }
+
+    // Whether p, moved by (e, e^2, e^3) for an infinitesimal e > 0, is in what a shell encloses.
+    bool encloses(const Shell& shell, const Point& p) const {
+        const auto crosses = [&](std::uint32_t f) { return ray_crosses(view_, f, p); };
+        return std::count_if(shell.faces.begin(), shell.faces.end(), crosses) % 2 == 1;
+    }
+
+    // Where all corners lie on the other shell, a corner from which that small step leads into the shell
+    // tells. All of the shell's inside is on one side of the other, unless that one is inside it.
+    bool lies_inside_by_a_corner_within(const Shell& shell, const Shell& other) const {
+        if (!box_in_box(other, shell)) {
+            for (const std::uint32_t face : shell.faces) {
+                const std::uint32_t end = view_.first_corner(view_.end_ring(face));
+                for (std::uint32_t corner = view_.first_corner(view_.first_ring(face)); corner < end;
+                     ++corner) {
+                    const Point& p = view_.vertices[view_.corners[corner]];
+                    if (encloses(shell, p)) return encloses(other, p);
+                }
             }
         }
         const std::uint32_t corner = view_.first_corner(view_.first_ring(shell.faces[0]));

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/coordinates.hpp"
+#include "mesh/edge_uses.hpp"
 #include "mesh/flat.hpp"
 #include "mesh/orient.hpp"
 #include "mesh/ring_nesting.hpp"
@@ -57,15 +59,22 @@ class LatticeMap {
     double scale_;
 };
 
-// The faces' vertices on the lattice, equal points being one vertex. Returns the new number of each.
-std::vector<std::uint32_t> weld(const Mesh& mesh, IntegerSolid& solid) {
+// The faces' vertices on the lattice; equal points are one vertex unless they are to stay `apart`. Returns
+// the new number of each.
+std::vector<std::uint32_t> take_vertices(const Mesh& mesh, bool apart, IntegerSolid& solid) {
     const LatticeMap to_lattice(solid.cube);
     std::vector<std::uint32_t> renumbered(mesh.vertices.size(), none);
     Welder welder(solid.vertices);
     for (const std::uint32_t vertex : mesh.corners) {
         if (renumbered[vertex] != none) continue;
         const std::size_t before = solid.vertices.size();
-        renumbered[vertex] = welder.add(to_lattice(mesh, vertex));
+        const Point point = to_lattice(mesh, vertex);
+        if (apart) {
+            renumbered[vertex] = static_cast<std::uint32_t>(before);
+            solid.vertices.push_back(point);
+        } else {
+            renumbered[vertex] = welder.add(point);
+        }
         if (solid.vertices.size() > before) {
             solid.file_coordinates.push_back(mesh.vertices[vertex]);
         } else {
@@ -75,15 +84,37 @@ std::vector<std::uint32_t> weld(const Mesh& mesh, IntegerSolid& solid) {
     return renumbered;
 }
 
+// Makes equal points that were apart one vertex.
+void weld(IntegerSolid& solid) {
+    std::vector<Point> points;
+    std::vector<std::uint32_t> renumbered;
+    renumbered.reserve(solid.vertices.size());
+    Welder welder(points);
+    for (std::size_t vertex = 0; vertex < solid.vertices.size(); ++vertex) {
+        const std::size_t before = points.size();
+        renumbered.push_back(welder.add(solid.vertices[vertex]));
+        if (points.size() > before) {
+            solid.file_coordinates[before] = solid.file_coordinates[vertex];
+        } else {
+            ++solid.welded_vertices;
+        }
+    }
+    solid.file_coordinates.resize(points.size());
+    solid.vertices = std::move(points);
+    for (std::uint32_t& corner : solid.corners) corner = renumbered[corner];
+}
+
 // Adds the corners of a ring, without those that repeat the one before.
 void add_corners(const Mesh& mesh, std::uint32_t ring, const std::vector<std::uint32_t>& renumbered,
-                 std::vector<std::uint32_t>& corners) {
+                 IntegerSolid& solid) {
+    std::vector<std::uint32_t>& corners = solid.corners;
     const std::size_t start = corners.size();
+    const auto at = [&solid](std::uint32_t vertex) { return solid.vertices[vertex]; };
     for (std::uint32_t i = mesh.ring_starts[ring]; i < mesh.ring_starts[ring + 1]; ++i) {
         const std::uint32_t vertex = renumbered[mesh.corners[i]];
-        if (corners.size() == start || corners.back() != vertex) corners.push_back(vertex);
+        if (corners.size() == start || at(corners.back()) != at(vertex)) corners.push_back(vertex);
     }
-    while (corners.size() > start + 1 && corners.back() == corners[start]) corners.pop_back();
+    while (corners.size() > start + 1 && at(corners.back()) == at(corners[start])) corners.pop_back();
 }
 
 // Rings of two corners may go: their two edges are opposite, so what is left is as closed as before. A
@@ -97,7 +128,7 @@ void take_faces(const Mesh& mesh, const std::vector<std::uint32_t>& renumbered, 
         const std::uint32_t rings = solid.ring_count();
         for (std::uint32_t ring = mesh.face_rings[face]; ring < mesh.face_rings[face + 1]; ++ring) {
             const std::size_t ring_start = solid.corners.size();
-            add_corners(mesh, ring, renumbered, solid.corners);
+            add_corners(mesh, ring, renumbered, solid);
             if (solid.corners.size() < ring_start + 3) {
                 solid.corners.resize(ring_start);
             } else {
@@ -156,6 +187,20 @@ void flatten(IntegerSolid& solid) {
     static_cast<FaceTable&>(solid) = std::move(faces);
 }
 
+// Whether the surface closes with the vertices as the file has them, two facets at every edge. Then these say
+// which facets belong together where sheets of the surface touch along an edge, as the points do not. Only
+// where all is planar: a face that is to be cut must have one vertex where it passes through a point twice.
+bool closes_apart(const IntegerSolid& solid) {
+    const Solid view = solid.view();
+    for (std::uint32_t face = 0; face < view.face_count; ++face) {
+        if (!is_planar(view, face)) return false;
+    }
+    bool in_pairs = true;
+    for_each_edge(edge_uses(solid, view.vertex_count, next_corners(solid)),
+                  [&](const EdgeUse* first, const EdgeUse* end) { in_pairs = in_pairs && end - first == 2; });
+    return in_pairs;
+}
+
 bool has_triangles_only(const FaceTable& faces) {
     if (faces.ring_count() != faces.face_count()) return false; // a face has one ring at least
     for (std::uint32_t ring = 0; ring < faces.ring_count(); ++ring) {
@@ -183,12 +228,19 @@ IntegerSolid quantize(const Mesh& mesh, const WorldCube& cube) {
     solid.oriented = mesh.oriented;
     solid.input_faces = mesh.face_count();
     solid.input_vertices = static_cast<std::uint32_t>(mesh.vertices.size());
-    take_faces(mesh, weld(mesh, solid), solid);
-    if (!mesh.oriented) static_cast<FaceTable&>(solid) = nest_rings(solid, solid.vertices);
+    take_faces(mesh, take_vertices(mesh, !mesh.oriented, solid), solid);
     solid.triangles_only = has_triangles_only(solid);
+    if (!mesh.oriented) {
+        if (!closes_apart(solid)) weld(solid);
+        static_cast<FaceTable&>(solid) = nest_rings(solid, solid.vertices);
+        solid.triangles_only = has_triangles_only(solid);
+    }
     flatten(solid);
     solid.triangles_only = has_triangles_only(solid);
-    if (!mesh.oriented) orient_even_odd(solid);
+    if (!mesh.oriented) {
+        orient_even_odd(solid);
+        weld(solid);
+    }
     return solid;
 }
 

@@ -50,8 +50,9 @@ struct IntegerSolid : FaceTable {
 
 /// Puts a mesh on the lattice of a cube: lattice = floor((x - origin) * (2^20 / side) + 0.5). Vertices on
 /// the same lattice point are welded, faces that collapse are dropped, polygons that rounding bent are
-/// triangulated, and where the file gives no orientation faces are oriented by the even-odd rule. None of
-/// this opens a closed surface. Vertices that no face uses are ignored. Throws BadInput for a cube without
+/// triangulated, and where the file gives no orientation faces are oriented by the even-odd rule: sheets that
+/// touch along an edge are told apart by their vertices where these are different in the file. None of this
+/// opens a closed surface. Vertices that no face uses are ignored. Throws BadInput for a cube without
 /// extent, for a vertex that is not finite or outside the cube, and for facets that cannot be oriented.
 IntegerSolid quantize(const Mesh& mesh, const WorldCube& cube);
 
