@@ -121,7 +121,7 @@ TEST_F(Carray, TheTextDependsOnTheFileAlone) {
 }
 
 TEST_F(Carray, TooManyNodesForTheIndicesDoNotCompile) {
-    make_box("box", {0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}, {"--depth", "8"});
+    make_box("box", {0.14, 0.14, 0.14}, {0.86, 0.86, 0.86}, {"--depth", "8"});
     ASSERT_GT(std::stoul(info("box")["nodes"]), 65536U);
     header(path("box.osem"));
     EXPECT_TRUE(is_header("header.hpp", 32)) << read_file(path("log"));

@@ -9,9 +9,9 @@ class Damaged : public Tool {
   protected:
     void SetUp() override {
         Tool::SetUp();
-        // No border of the box lies on one of the lattice's planes at depth 4, so every level has grey
+        // No border of the box lies on one of the lattice's planes at depth 3, so every level has grey
         // octants.
-        make_box("whole", {0.21, 0.32, 0.43}, {0.54, 0.65, 0.76}, {"--depth", "4"});
+        make_box("whole", {0.21, 0.32, 0.43}, {0.54, 0.65, 0.76}, {"--depth", "3"});
         bytes_ = read_file(path("whole.osem"));
         ASSERT_GT(bytes_.size(), 100U);
         ASSERT_LT(bytes_.size(), 2000U);
@@ -61,7 +61,7 @@ TEST_F(Damaged, NoCommandWritesFromADamagedFile) {
     const auto before = files();
     const std::string bad = path("bad.osem");
     const std::string good = path("whole.osem");
-    const std::string out = path("out");
+    const std::string out = path("out.png");
     using Names = std::vector<std::string>;
     for (const Names& line :
          {Names{"union", good, bad, "-o", out}, Names{"intersection", bad, good, "-o", out},
@@ -107,8 +107,8 @@ TEST_F(Damaged, ACheckedHeaderMayStillLie) {
     EXPECT_TRUE(refused(lying(6, "\x02"), "at byte 6"));
     // Four thousand million nodes are not there, and no memory is asked for them.
     EXPECT_TRUE(refused(lying(40, "\xff\xff\xff\xff"), "at byte " + std::to_string(bytes_.size())));
-    // A tree of depth 4 has a grey octant at level 3, which a tree of depth 3 has not.
-    EXPECT_TRUE(refused(lying(5, "\x03"), "at byte "));
+    // A tree of depth 3 has a grey octant at level 2, which a tree of depth 2 has not.
+    EXPECT_TRUE(refused(lying(5, "\x02"), "at byte "));
 }
 
 } // namespace
