@@ -119,12 +119,10 @@ TEST_F(Pictures, ASliceLooksAgainstItsAxisUpwards) {
 }
 
 TEST_F(Pictures, ASliceIsAsWideAsTheTreeIsDeepUpTo2048) {
-    const std::vector<double> low = {0.25, 0.25, 0.25};
-    const std::vector<double> high = {0.75, 0.75, 0.75};
-    make_box("nine", low, high, {"--depth", "9"});
+    make_box("nine", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}, {"--depth", "9"});
     EXPECT_EQ(slice("nine", "z", "0.5").width, 512);
     // The box ends in the middle of a pixel of 2^-11, which is then half black, half white.
-    make_box("deep", low, {0.75 + 1.0 / 4096, 0.75, 0.75}, {"--depth", "12"});
+    make_box("deep", {0.25, 0.46875, 0.46875}, {0.75 + 1.0 / 4096, 0.53125, 0.53125}, {"--depth", "12"});
     const Picture deep = slice("deep", "z", "0.5");
     ASSERT_EQ(deep.width, 2048);
     EXPECT_EQ(deep.at(1535, 1024), black);
@@ -397,6 +395,25 @@ TEST_F(Pictures, ViewsAndCompanionsThatAreNoneAreRefused) {
     EXPECT_TRUE(failed(osem({"image", path("box.off"), "--with", path("box.off"), "-o", path("out.png")}), 1,
                        "--with"));
     EXPECT_EQ(files(), before);
+}
+
+TEST_F(Pictures, OptionsThatWouldDoNothingAreRefused) {
+    make_box("box", {0, 0, 0}, {0.5, 0.5, 0.5});
+    const auto before = files();
+    const auto refused = [this](const std::string& file, const std::vector<std::string>& options,
+                                const std::string& part) {
+        std::vector<std::string> line = {"image", path("box.osem"), "-o", path(file)};
+        line.insert(line.end(), options.begin(), options.end());
+        return failed(osem(line), 1, part);
+    };
+    EXPECT_TRUE(refused("out.png", {"--lines", "outline"}, "--lines: is for --style wireframe"));
+    EXPECT_TRUE(refused("out.png", {"--style", "shaded", "--lines", "leaves"}, "--lines"));
+    EXPECT_TRUE(refused("out.png", {"--style", "wireframe", "--shade", "smooth"}, "--shade"));
+    for (const char* name : {"out.jpg", "out", "png", "out.png.gz", "box.osem"}) {
+        EXPECT_TRUE(refused(name, {}, "ends in .png")) << name;
+    }
+    EXPECT_EQ(files(), before);
+    EXPECT_TRUE(succeeded(osem({"image", path("box.osem"), "-o", path("OUT.PNG"), "--size", "16"})));
 }
 
 } // namespace

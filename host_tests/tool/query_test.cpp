@@ -53,7 +53,8 @@ TEST_F(Query, Box) {
     EXPECT_EQ(found["clear"], "no");
     EXPECT_EQ(answer({"box", "0,0,0,0.2,1,1"})["clear"], "yes");
     EXPECT_TRUE(failed(ask({"box", "0,0,0,0,1,1"}), 2, "box holds no cell"));
-    EXPECT_TRUE(failed(ask({"box", "0,0,0,2,1,1"}), 2, "outside the root"));
+    EXPECT_TRUE(failed(ask({"box", "0,0,0,2,1,1"}), 2, "the box 0,0,0,2,1,1 reaches outside the root"));
+    EXPECT_TRUE(failed(ask({"box", "0,-0.1,0,1,1,1"}), 2, "the box 0,-0.1,0,1,1,1 reaches outside the root"));
 }
 
 TEST_F(Query, Ray) {
@@ -76,7 +77,7 @@ TEST_F(Query, Ray) {
                               "crossings 2\nvisited ";
     EXPECT_EQ(all.out.substr(0, lines.size()), lines);
     EXPECT_TRUE(failed(ask({"ray", "0,0,0"}), 1, "DIRECTION"));
-    EXPECT_TRUE(failed(ask({"ray", "0,0,0", "1,0,0", "--to", "1,1,1"}), 1, "DIRECTION"));
+    EXPECT_TRUE(failed(ask({"ray", "0,0,0", "1,0,0", "--to", "1,1,1"}), 1, "exclude each other"));
     EXPECT_TRUE(failed(ask({"ray", "0,0,0", "0,0,0"}), 1, "direction"));
 }
 
@@ -108,7 +109,9 @@ TEST_F(Query, Nearest) {
     EXPECT_EQ(answer({"nearest", "0.5,0.5,0.5", "--colour", "white"})["distance_world"], "0.25");
     EXPECT_EQ(answer({"nearest", "0.5,0.5,0.5", "--colour", "boundary"})["found"], "no");
     EXPECT_TRUE(failed(ask({"nearest", "0,0,0", "--colour", "red"}), 1, "--colour"));
-    EXPECT_TRUE(failed(ask({"nearest", "0,0,0", "--within", "-1"}), 1, "--within"));
+    EXPECT_EQ(ask({"nearest", "0,0,0", "--within", "-1"}).err,
+              "osem: --within: expected a number that is not negative\n");
+    EXPECT_TRUE(failed(ask({"nearest", "0,0,0", "--within", "far"}), 1, "--within"));
 }
 
 TEST_F(Query, Collide) {

@@ -81,6 +81,9 @@ TEST_F(Slices, WhatMakesNoSenseIsRefused) {
     EXPECT_TRUE(failed(slice({"--stack", "-o", path("a%")}), 1, "%0Nd"));
     EXPECT_TRUE(failed(slice({"--stack", "--from", "2", "-o", path("a%d.png")}), 2, "--from"));
     EXPECT_TRUE(failed(slice({"--stack", "-o", path("box.off")}), 2, "box.off"));
+    EXPECT_TRUE(failed(slice({"--stack", "-o", out}), 1, "expected a directory"));
+    EXPECT_TRUE(failed(slice({"--stack", "-o", path("a%d.jpg")}), 1, "ends in .png"));
+    EXPECT_TRUE(failed(slice({"--at", "0", "-o", path("o.jpg")}), 1, "ends in .png"));
     EXPECT_EQ(files(), before);
 }
 

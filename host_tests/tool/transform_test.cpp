@@ -50,8 +50,40 @@ TEST_F(Transforms, DownAndUpIsTheSameTree) {
     ASSERT_TRUE(succeeded(transform("box.osem", "small.osem", {"--down", "1", "--at", "0.5,0,0.5"})));
     make_box("half", {0.625, 0.125, 0.75}, {0.75, 0.375, 0.875}, {"--depth", "4"});
     EXPECT_EQ(leaves("small.osem"), leaves("half.osem"));
-    ASSERT_TRUE(succeeded(transform("small.osem", "back.osem", {"--up", "1", "--at", "0.9,0.1,0.9"})));
+    const Ran up = transform("small.osem", "back.osem", {"--up", "1", "--at", "0.9,0.1,0.9"});
+    ASSERT_TRUE(succeeded(up));
+    EXPECT_EQ(up.out, "inner_dropped 0\nouter_dropped 0\n");
     EXPECT_EQ(read_file(path("back.osem")), read_file(path("box.osem")));
+}
+
+// Of the box, a 32nd of the root, the low octant of level 1 holds the half and that of level 2 nothing.
+TEST_F(Transforms, ScalingUpSaysWhatItDrops) {
+    make_box("half", {0.25, 0.25, 0.25}, {0.5, 0.75, 0.5});
+    const Ran half = transform("half.osem", "up.osem", {"--up", "1"});
+    ASSERT_TRUE(succeeded(half));
+    const std::string dropped = std::to_string((std::uint64_t{1} << 60) / 64);
+    EXPECT_EQ(half.out, "inner_dropped " + dropped + "\nouter_dropped " + dropped + "\n");
+    const Ran all = transform("half.osem", "up.osem", {"--up", "2"});
+    ASSERT_TRUE(succeeded(all));
+    EXPECT_EQ(table(all.out)["inner_dropped"], info("half")["volume_inner"]);
+}
+
+// At an offset of half a leaf of the tree, exactness takes the next depth.
+TEST_F(Transforms, AnOffsetBetweenTheLeavesWantsADepth) {
+    const auto before = files();
+    EXPECT_TRUE(failed(transform("box.osem", "no.osem", {"--translate", "0.0625,0,0"}), 2,
+                       "--depth 4 places it exactly, with about 4 times as many leaves"));
+    EXPECT_TRUE(failed(transform("box.osem", "no.osem", {"--translate", "0,0.00000095367431640625,0"}), 2,
+                       "--depth 20 places it exactly, with about 17179869184 times"));
+    EXPECT_TRUE(failed(transform("box.osem", "no.osem", {"--crop", "0,0,0,0.3125,1,1"}), 2, "--depth 4"));
+    EXPECT_EQ(files(), before);
+    ASSERT_TRUE(
+        succeeded(transform("box.osem", "moved.osem", {"--translate", "0.0625,0,0", "--depth", "4"})));
+    make_box("there", {0.3125, 0.25, 0.5}, {0.5625, 0.75, 0.75}, {"--depth", "4"});
+    EXPECT_EQ(leaves("moved.osem"), leaves("there.osem"));
+    ASSERT_TRUE(
+        succeeded(transform("box.osem", "blurred.osem", {"--translate", "0.0625,0,0", "--depth", "3"})));
+    EXPECT_EQ(info("blurred")["volume_outer"], std::to_string((std::uint64_t{1} << 60) * 3 / 64));
 }
 
 TEST_F(Transforms, ACropKeepsWhatLiesInTheBox) {
@@ -72,6 +104,8 @@ TEST_F(Transforms, WhatCannotBeDoneIsRefused) {
     EXPECT_TRUE(refused({"--down", "1", "--up", "1"}, 1, "wants one of"));
     EXPECT_TRUE(refused({}, 1, "wants one of"));
     EXPECT_TRUE(refused({"--up", "1", "--cut"}, 1, "--cut"));
+    EXPECT_TRUE(refused({"--symmetry", "+y+x+z", "--at", "0,0,0"}, 1, "--at"));
+    EXPECT_TRUE(refused({"--translate", "0.125,0,0", "--at", "0,0,0"}, 1, "--at"));
     EXPECT_TRUE(refused({"--up", "1", "--at", "2,0,0"}, 2, "outside the root"));
     EXPECT_EQ(files(), before);
 }

@@ -94,15 +94,18 @@ constexpr const char* footer =
     "one counting as half full. --depth prints nodes, inner_volume and outer_volume. --nodes prints one "
     "\"key value\" line each: nodes (all but the top one); inner_lost and outer_gained, the\n"
     "cells that were black or white and are boundary, 2^60 of which fill the root; above_optimum, by how\n"
-    "much at most their sum is above the least that any tree of so few nodes could lose.";
+    "much at most their sum is above the least that any tree of so few nodes could lose.\n"
+    "The leaf rule that `osem info` prints stays that of X.";
 
 } // namespace
 
 void add_coarsen(CLI::App& app, const Console& console) {
-    CLI::App* command = app.add_subcommand("coarsen", "Coarsen an octree to a budget of nodes or to a depth");
+    CLI::App* command =
+        app.add_subcommand("coarsen", "Coarsen an octree to a depth, or prune it to a budget of nodes");
     const auto options = std::make_shared<Options>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
-    command->add_option("--nodes", options->nodes, "Nodes that the result may have beside its top node")
+    command
+        ->add_option("--nodes", options->nodes, "Prune: nodes that the result may have beside its top node")
         ->type_name("N");
     command->add_option("--depth", options->depth, "Greatest depth of the result")
         ->check(CLI::Range(1, max_depth).description(""))

@@ -35,7 +35,7 @@ struct ImageOptions {
     int size = 800;
     std::optional<Style> shade;
     bool wireframe = false;
-    Look look;
+    std::optional<Lines> lines;
 };
 
 // What is drawn, kept while it is.
@@ -73,8 +73,8 @@ int columns_of(std::size_t views, std::size_t subjects) {
 
 Image draw(const Shown& shown, const ImageOptions& options, const Console& console) {
     const std::vector<NamedView> views = *parse_views(options.views);
-    Look look = options.look;
-    look.style = options.wireframe ? Style::wireframe : options.shade.value_or(Style::faces);
+    const Style style = options.wireframe ? Style::wireframe : options.shade.value_or(Style::faces);
+    const Look look = {style, options.lines.value_or(Lines::leaves)};
     std::vector<Tile> tiles;
     for (const NamedView& view : views) {
         for (const Subject& subject : shown.subjects) {
@@ -87,7 +87,17 @@ Image draw(const Shown& shown, const ImageOptions& options, const Console& conso
     return sheet(tiles, columns_of(views.size(), shown.subjects.size()));
 }
 
+void require_sense(const ImageOptions& options) {
+    if (options.wireframe && options.shade) {
+        throw CLI::ValidationError("--shade", "is for --style shaded; a wireframe has no shades");
+    }
+    if (!options.wireframe && options.lines) {
+        throw CLI::ValidationError("--lines", "is for --style wireframe");
+    }
+}
+
 void run_image(const ImageOptions& options, const Console& console) {
+    require_sense(options);
     refuse_same_file("--output", options.output, "the input", options.input);
     if (!options.with.empty()) refuse_same_file("--output", options.output, "--with", options.with);
     OutputFile::probe(options.output);
@@ -122,7 +132,7 @@ void add_looks(CLI::App& command, ImageOptions& options) {
                       "Default: faces",
                       {{"faces", Style::faces}, {"smooth", Style::smooth}})
         ->type_name("HOW");
-    add_choice<Lines>(command, "--lines", options.look.lines,
+    add_choice<Lines>(command, "--lines", options.lines,
                       "Lines of a wireframe: leaves, around every face, or outline, where the surface bends "
                       "or ends. Default: leaves",
                       {{"leaves", Lines::leaves}, {"outline", Lines::outline}})
@@ -135,7 +145,7 @@ void add_image(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("image", "Draw an octree or a solid");
     const auto options = std::make_shared<ImageOptions>();
     command->add_option("X", options->input, "Octree file, or a mesh")->required()->type_name("");
-    add_output(*command, "-o,--output", options->output, "PNG file to write")
+    add_picture_output(*command, "-o,--output", options->output, "PNG file to write")
         ->required()
         ->type_name("OUT.png");
     command->add_option("--with", options->with, "Mesh to draw beside the octree, in its frame")

@@ -47,7 +47,12 @@ constexpr const char* footer =
     "Prints one \"key value\" line each: depth; leaf_rule; frame X,Y,Z,SIDE; nodes; the leaves white, black\n"
     "and boundary; volume_inner (black leaves) and volume_outer (black and boundary leaves) in lattice "
     "cells,\n"
-    "2^60 of which fill the root, and _world in cubed world units; digest of the structure.";
+    "2^60 of which fill the root, and _world in cubed world units; digest of the structure.\n"
+    "leaf_rule is that of the conversion the octree comes from: conservative, black and white hold in the\n"
+    "whole leaf; or centre, they hold at the centres of cells of the conversion's depth. Other commands "
+    "keep\n"
+    "it. Boundary leaves of a centre octree come from coarsening: octants of several colours. Coarsening by\n"
+    "inner, outer or majority leaves no boundary, and only what its mode says holds then.";
 
 } // namespace
 

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "mesh/text_scanner.hpp"
+
 namespace osem::host {
 
 namespace fs = std::filesystem;
@@ -27,6 +29,18 @@ bool same_file(const std::string& a, const std::string& b) {
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& target,
                         const std::string& help) {
     return command.add_option(name, target, help)->check(empty_fault);
+}
+
+std::string picture_name_fault(const std::string& name) {
+    const fs::path path(name);
+    std::error_code error;
+    if (equal_ignoring_case(path.extension().string(), ".png") || fs::is_other(path, error)) return {};
+    return "pictures are PNG files: expected a name that ends in .png, not " + name;
+}
+
+CLI::Option* add_picture_output(CLI::App& command, const std::string& name, std::string& target,
+                                const std::string& help) {
+    return add_output(command, name, target, help)->check(picture_name_fault);
 }
 
 void refuse_same_file(const char* option, const std::string& output, const std::string& what,

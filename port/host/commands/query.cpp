@@ -55,10 +55,22 @@ void ask_point(const Asked& asked, const Question& question) {
               << "visited " << found.visited << '\n';
 }
 
+void refuse_outside(const CellBox& box, const double* bounds, const WorldCube& cube) {
+    bool inside = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        inside = inside && box.low.at[axis] >= 0 && box.high.at[axis] <= root_side;
+    }
+    if (inside) return;
+    std::string text = "the box ";
+    for (std::size_t i = 0; i < 6; ++i) text += (i == 0 ? "" : ",") + decimal(bounds[i]);
+    throw BadInput(text + " reaches outside the root cube, which is " + frame_text(cube) + " (X,Y,Z,SIDE)");
+}
+
 void ask_box(const Asked& asked, const Question& question) {
     const double* bounds = question.box;
     const CellBox box = {on_lattice({bounds[0], bounds[1], bounds[2]}, asked.cube, Rounding::down),
                          on_lattice({bounds[3], bounds[4], bounds[5]}, asked.cube, Rounding::up)};
+    refuse_outside(box, question.box, asked.cube);
     const BoxOutcome found = colours_in(asked.tree, box);
     require_ok(found.status);
     asked.out << "low " << point_text(box.low) << '\n'
@@ -223,7 +235,11 @@ void add_ray(CLI::App& command, const std::shared_ptr<Question>& question) {
     command.add_flag("--all", question->all, "Every change of colour, not the first leaf that may be solid");
     command.parse_complete_callback([direction, to, question] {
         question->has_to = to->count() != 0;
-        if ((direction->count() != 0) == question->has_to) {
+        const bool has_direction = direction->count() != 0;
+        if (has_direction && question->has_to) {
+            throw CLI::ValidationError("ray", "DIRECTION and --to exclude each other");
+        }
+        if (!has_direction && !question->has_to) {
             throw CLI::ValidationError("ray", "either DIRECTION or --to is required");
         }
     });
@@ -232,7 +248,11 @@ void add_ray(CLI::App& command, const std::shared_ptr<Question>& question) {
 void add_nearest(CLI::App& command, Question& question) {
     add_coordinates(command, "POINT", question.at, "From where")->required();
     command.add_option("--within", question.within, "Not farther than this, in world units")
-        ->check(CLI::NonNegativeNumber)
+        ->check([](const std::string& text) {
+            double distance = 0;
+            const bool is_distance = parse_decimals(text, &distance, 1) && distance >= 0;
+            return is_distance ? std::string() : std::string("expected a number that is not negative");
+        })
         ->type_name("D");
     add_choice<std::uint8_t>(command, "--colour", question.colours,
                              "solid (black or boundary; the default), black, boundary or white",
@@ -248,7 +268,10 @@ constexpr const char* footer =
     "part in 2^27. Answers are \"key value\" lines in lattice units, 2^20 of which make the root's side; a\n"
     "leaf is \"x y z side colour\". ray: t is the exact fraction of the way from from to to; with --all a\n"
     "line a change of colour: crossing T WORLD_POINT AXIS BEFORE AFTER. neighbour: with --all also the\n"
-    "leaves along a face behind which the octant is divided (grey). visited counts nodes.";
+    "leaves along a face behind which the octant is divided (grey). visited counts nodes.\n"
+    "box: white, boundary and black say whether a cell of the box lies in such a leaf; mixed: in leaves of\n"
+    "several colours; touches: no cell is black or boundary, but the box shares a face, an edge or a corner\n"
+    "with a leaf that is; clear: it is white throughout and touches nothing.";
 
 } // namespace
 

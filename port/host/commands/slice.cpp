@@ -124,6 +124,22 @@ void write_stack(const Octree& tree, const Options& options, const std::vector<s
     }
 }
 
+// A directory that looks like a picture is hardly meant.
+void require_picture_names(const Options& options) {
+    if (!options.stack) {
+        const std::string fault = picture_name_fault(options.output);
+        if (!fault.empty()) throw CLI::ValidationError("--output", fault);
+        return;
+    }
+    const bool numbered = options.output.find('%') != std::string::npos;
+    const bool named_png = picture_name_fault(options.output).empty();
+    if (!StackName::parse(options.output) || numbered != named_png) {
+        throw CLI::ValidationError("--output", "a stack is many files: expected a directory, or a name with "
+                                               "one %d or %0Nd that ends in .png, not " +
+                                                   options.output);
+    }
+}
+
 void require_sense(const Options& options) {
     if (options.stack == !options.at.empty()) {
         throw CLI::ValidationError("slice", "either --at or --stack says which layers are meant");
@@ -134,9 +150,7 @@ void require_sense(const Options& options) {
     if (options.output.empty() && !options.runs) {
         throw CLI::ValidationError("--output", "is required for pictures");
     }
-    if (options.stack && !options.runs && !StackName::parse(options.output)) {
-        throw CLI::ValidationError("--output", "expected a directory or one %d or %0Nd in a file's name");
-    }
+    if (!options.runs) require_picture_names(options);
 }
 
 void run_slice(const Options& options, const Console& console) {

@@ -33,8 +33,10 @@ void add_solid_options(CLI::App& command, SolidOptions& options) {
         {{"nonzero", WindingRule::nonzero}, {"odd", WindingRule::odd}, {"positive", WindingRule::positive}})
         ->type_name("RULE");
     command
-        .add_option("--frame", options.frame,
-                    std::string("World cube that the root covers. Default: ") + default_cube_rule)
+        .add_option(
+            "--frame", options.frame,
+            std::string("World cube that the root covers: its lowest corner X,Y,Z and its side. Default: ") +
+                default_cube_rule)
         ->check(frame_fault)
         ->type_name("X,Y,Z,SIDE");
 }

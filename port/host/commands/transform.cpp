@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -114,6 +115,17 @@ Octree run_job(std::unique_ptr<HostPool>& pool, const Octree& tree, Progress& pr
     return tree;
 }
 
+// Exactness can take leaves of single cells, which no computer has room for; so much is only done when asked.
+void require_depth(const Octree& tree, const Placement& placement) {
+    const int exact = placed_depth(tree.depth, placement);
+    if (placement.depth != 0 || exact <= tree.depth) return;
+    const std::uint64_t times = std::uint64_t{1} << (2 * (exact - tree.depth));
+    throw BadInput("the vector or the box fits no leaves of the octree, whose depth is " +
+                   std::to_string(tree.depth) + ": --depth " + std::to_string(exact) +
+                   " places it exactly, with about " + std::to_string(times) +
+                   " times as many leaves; with less, octants of several colours become boundary");
+}
+
 Octree placed(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options& options, WorldCube& cube,
               Progress& progress) {
     Placement placement;
@@ -122,6 +134,7 @@ Octree placed(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options
     placement.cut_at_root = options.cut;
     placement.depth = static_cast<std::uint8_t>(options.depth);
     placement.mixed_as_boundary = options.depth != 0;
+    require_depth(tree, placement);
     const double unit = cube.unit();
     for (std::size_t i = 0; i < 3 && options.update_frame; ++i) cube.origin[i] -= placement.by.at[i] * unit;
     return run_job<Translation>(pool, tree, progress,
@@ -144,6 +157,12 @@ Octree scaled(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options
     return tree_of(reduced(pool->adopted(tree), octant, pool->pool()));
 }
 
+// What scaling up leaves out, in cells of the operand.
+void print_dropped(std::ostream& out, const Measures& whole, const Measures& part, int up) {
+    out << "inner_dropped " << whole.inner_volume - (part.inner_volume >> (3 * up)) << '\n'
+        << "outer_dropped " << whole.outer_volume - (part.outer_volume >> (3 * up)) << '\n';
+}
+
 void require_one(const Options& options) {
     const bool places = !options.translate.empty() || !options.crop.empty();
     const int wanted = (places ? 1 : 0) + (options.symmetry.empty() ? 0 : 1) + (options.up != 0 ? 1 : 0) +
@@ -155,6 +174,9 @@ void require_one(const Options& options) {
     }
     if (options.update_frame && !options.symmetry.empty()) {
         throw CLI::ValidationError("--update-frame", "no frame undoes a symmetry");
+    }
+    if (!options.at.empty() && options.up == 0 && options.down == 0) {
+        throw CLI::ValidationError("--at", "is for --up and --down");
     }
     if (!places && (options.cut || options.depth != 0)) {
         throw CLI::ValidationError("transform", "--cut and --depth are for --translate and --crop");
@@ -168,6 +190,7 @@ void run_transform(const Options& options, const Console& console) {
     TreeFacts facts = file.facts();
     auto pool = std::make_unique<HostPool>(file.nodes());
     Octree tree = file.read(pool->pool());
+    const Measures before = measure(tree);
     {
         Progress progress(console, "transforming");
         if (!options.symmetry.empty()) {
@@ -186,6 +209,7 @@ void run_transform(const Options& options, const Console& console) {
     OutputFile output(options.output);
     write_tree(output, tree, facts);
     output.commit();
+    if (options.up != 0) print_dropped(console.out, before, measure(tree), options.up);
 }
 
 std::string numbers_fault(const std::string& text, std::size_t count) {
@@ -201,15 +225,17 @@ std::string symmetry_fault(const std::string& text) {
 }
 
 constexpr const char* footer =
-    "Nothing is lost: every cell of the result has the colour of the cell that it came from. Lengths are in\n"
-    "world units and have to be multiples of the lattice unit, SIDE / 2^20. The result is as deep as that\n"
-    "needs; with --depth octants of several colours become boundary instead. --update-frame changes the\n"
-    "frame along with the tree, so that the solid stays where it is in the world.";
+    "Every cell of the result has the colour of the cell that it came from. Lengths are in world units and\n"
+    "have to be multiples of the lattice unit, SIDE / 2^20. A vector or a box that is no multiple of the\n"
+    "side of X's leaves needs --depth; octants of several colours at that depth become boundary. --up keeps\n"
+    "one octant and prints inner_dropped and outer_dropped: the black cells, and the black and boundary\n"
+    "cells, of X outside of it, 2^60 of which fill the root. --update-frame changes the frame along with\n"
+    "the tree, so that the solid stays where it is in the world.";
 
 } // namespace
 
 void add_transform(CLI::App& app, const Console& console) {
-    CLI::App* command = app.add_subcommand("transform", "Move, turn, scale or crop an octree, without loss");
+    CLI::App* command = app.add_subcommand("transform", "Move, turn, scale or crop an octree");
     const auto options = std::make_shared<Options>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
     add_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
