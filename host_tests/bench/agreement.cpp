@@ -12,36 +12,60 @@ namespace osem::bench {
 
 namespace {
 
-Measures measures_of(const BenchSolid& solid, int depth, LeafRule leaves) {
-    OsemConversion conversion(solid, depth, leaves);
-    return measure(conversion.run());
+// The cells of a tree's black leaves, found leaf by leaf.
+BitGrid bits_of(const Octree& tree, int depth) {
+    const std::uint32_t side = 1U << depth;
+    const int shift = lattice_bits - depth;
+    BitGrid bits;
+    bits.side = side;
+    bits.words.assign(std::size_t{side} * side * side / 64, 0);
+    LeafWalk walk(tree);
+    for (Leaf leaf{}; walk.next(leaf);) {
+        if (leaf.colour != Colour::black) continue;
+        const auto low = [&](int axis) {
+            return static_cast<std::size_t>(leaf.octant.corner.at[axis] >> shift);
+        };
+        const auto length = static_cast<std::uint32_t>(leaf.octant.side() >> shift);
+        for (std::size_t z = low(2); z < low(2) + length; ++z) {
+            for (std::size_t y = low(1); y < low(1) + length; ++y) {
+                const auto x = static_cast<std::uint32_t>(low(0));
+                set_bits(&bits.words[(z * side + y) * side / 64], x, x + length);
+            }
+        }
+    }
+    return bits;
 }
 
-void require_equal(std::uint64_t cells, std::uint64_t other, const std::string& what) {
-    require(cells == other, what + ": " + std::to_string(cells) + " cells in the centre tree, " +
-                                std::to_string(other) + " otherwise");
-}
-
-Agreement agree(const std::string& name, int depth) {
-    const BenchSolid& solid = solid_of(name);
-    const std::uint64_t cell = volume_at(depth);
-    const Measures centre = measures_of(solid, depth, LeafRule::centre);
-    const Measures three = measures_of(solid, depth, LeafRule::conservative);
+// Ends the program unless the centre tree, the runs and the bits are one set of cells; returns their number.
+std::uint64_t agreed_cells(const BenchSolid& solid, int depth, const std::string& what) {
+    OsemConversion conversion(solid, depth, LeafRule::centre);
+    const Octree tree = conversion.run();
+    const Measures measures = measure(tree);
+    require(measures.boundary_leaves == 0, what + ": the centre tree has boundary leaves");
     Scanline scanline;
     RunGrid runs;
     scanline.convert(solid.solid.vertices, solid.triangles, depth, runs);
     BitGrid bits;
     fill_bits(runs, bits);
+    const std::uint64_t cells = measures.inner_volume / volume_at(depth);
+    require(cells == runs.cells() && cells == bits.cells(),
+            what + ": " + std::to_string(cells) + " cells in the centre tree, " +
+                std::to_string(runs.cells()) + " in runs, " + std::to_string(bits.cells()) + " in bits");
+    require(bits.words == bits_of(tree, depth).words, what + ": as many cells, but not the same ones");
+    return cells;
+}
 
+Agreement agree(const std::string& name, int depth) {
     const std::string what = name + " at depth " + std::to_string(depth);
-    const Agreement result{centre.inner_volume / cell, three.inner_volume / cell,
-                           (three.outer_volume - three.inner_volume) / cell};
-    require_equal(result.cells, centre.outer_volume / cell, what + ", outer volume");
-    require_equal(result.cells, runs.cells(), what + ", runs");
-    require_equal(result.cells, bits.cells(), what + ", bits");
-    require(result.inner_cells <= result.cells && result.cells <= result.inner_cells + result.boundary_cells,
-            what + ": the centre tree is not between the inner and the outer solid");
-    return result;
+    const BenchSolid& solid = solid_of(name);
+    const std::uint64_t cells = agreed_cells(solid, depth, what);
+    OsemConversion conversion(solid, depth, LeafRule::conservative);
+    const Measures measures = measure(conversion.run());
+    const std::uint64_t inner = measures.inner_volume / volume_at(depth);
+    const std::uint64_t outer = measures.outer_volume / volume_at(depth);
+    require(inner <= cells && cells <= outer,
+            what + ": the centre tree is not between inner and outer solid");
+    return Agreement{cells, inner, outer - inner};
 }
 
 } // namespace

@@ -20,8 +20,8 @@ struct Agreement {
 };
 
 /// Converts by every exact method, once for each solid and depth; ends the program where they differ: the
-/// centre tree, the runs and the bits must have the same number of cells, and it must lie between the inner
-/// and the outer solid of the conservative tree.
+/// centre tree, the runs and the bits must be the same cells, one by one, and their number must lie between
+/// those of the inner and the outer solid of the conservative tree.
 const Agreement& agreement_on(const std::string& solid, int depth);
 
 } // namespace osem::bench

@@ -50,7 +50,7 @@ void run_scanline(benchmark::State& state, const std::string& name, int depth, b
 } // namespace
 
 void add_conversions(const std::string& solid, int depth) {
-    const std::string name = "convert/" + solid + "/" + std::to_string(1 << depth) + "/";
+    const std::string name = conversion_name(solid, depth);
     const auto add = [&name](const char* method, auto run) {
         benchmark::RegisterBenchmark((name + method).c_str(), run)->Unit(benchmark::kMillisecond);
     };

@@ -4,15 +4,44 @@
 
 namespace {
 
-void add_all() {
+void add_conversion(const std::string& solid, int depth) {
+    osem::bench::add_conversions(solid, depth);
+#ifdef OSEM_BENCH_VDB
+    if (depth <= 10) osem::bench::add_vdb_conversion(solid, depth); // 2048 takes a minute
+#endif
+}
+
+void add_boolean(const osem::bench::Pair& pair, osem::Operator op) {
+    osem::bench::add_boolean(pair, op);
+#ifdef OSEM_BENCH_VDB
+    osem::bench::add_vdb_boolean(pair, op);
+#endif
+#ifdef OSEM_BENCH_CGAL
+    osem::bench::add_cgal_boolean(pair, op);
+#endif
+}
+
+void add_conversions() {
     for (const char* solid : {"armadillo", "rotor", "elephant", "bracket"}) {
         if (!osem::bench::is_available(solid)) continue;
-        for (int depth = 6; depth <= 11; ++depth) osem::bench::add_conversions(solid, depth);
+        for (int depth = 6; depth <= 11; ++depth) add_conversion(solid, depth);
     }
     for (const char* solid :
          {"sphere-1280", "sphere-5120", "sphere-20480", "sphere-81920", "sphere-327680", "sphere-1310720",
           "dot-1280", "dot-5120", "dot-20480", "dot-81920", "dot-327680", "dot-1310720"}) {
-        osem::bench::add_conversions(solid, 10);
+        add_conversion(solid, 10);
+    }
+}
+
+void add_booleans() {
+    using osem::Operator;
+    for (int depth = 8; depth <= 10; ++depth) {
+        for (const Operator op : {Operator::unite, Operator::intersect, Operator::subtract}) {
+            for (const char* other : {"elephant", "sphere-81920"}) {
+                if (!osem::bench::is_available("armadillo")) continue;
+                add_boolean({"armadillo", other, depth}, op);
+            }
+        }
     }
 }
 
@@ -21,7 +50,8 @@ void add_all() {
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    add_all();
+    add_conversions();
+    add_booleans();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
     return 0;

@@ -14,7 +14,8 @@ OSEM_CGAL_DATA=$(unpack_meshes "$build")
 export OSEM_CGAL_DATA
 
 out=$build/bench
-cmake -S "$root" -B "$out" -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_BENCH=ON > /dev/null
+cmake -S "$root" -B "$out" -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_BENCH=ON \
+    -DOSEM_BENCH_OPENVDB=ON -DOSEM_BENCH_CGAL=ON > /dev/null
 cmake --build "$out" --parallel "$(nproc)" --target osem_bench > "$out/build.log" 2>&1 || {
     tail -n 40 "$out/build.log" >&2
     exit 1

@@ -28,39 +28,28 @@ void sort_few(std::uint16_t* first, std::uint16_t* end) {
     }
 }
 
-// Writes the runs of one row, whose crossings are sorted; returns their end.
-Run* write_runs(const std::uint16_t* code, const std::uint16_t* end, Run* to) {
+// Writes the boundaries of one row, whose crossings are sorted; returns their end.
+std::uint16_t* write_runs(const std::uint16_t* code, const std::uint16_t* end, std::uint16_t* to) {
     std::int32_t winding = 0;
     std::uint16_t begin = 0;
     for (; code < end; ++code) {
         const auto cell = static_cast<std::uint16_t>(*code / 2);
         if (winding == 0) begin = cell;
         winding += (*code & 1U) == 0 ? 1 : -1;
-        if (winding == 0 && begin < cell) *to++ = Run{begin, cell};
+        if (winding == 0 && begin < cell) {
+            *to++ = begin;
+            *to++ = cell;
+        }
     }
     return to;
-}
-
-void set_bits(std::uint64_t* words, const Run& run) {
-    const unsigned last_bit = run.end - 1U;
-    const unsigned first = run.begin / 64U;
-    const unsigned last = last_bit / 64;
-    const std::uint64_t from = ~std::uint64_t{0} << (run.begin % 64U);
-    const std::uint64_t to = ~std::uint64_t{0} >> (63 - last_bit % 64);
-    if (first == last) {
-        words[first] |= from & to;
-        return;
-    }
-    words[first] |= from;
-    std::fill(words + first + 1, words + last, ~std::uint64_t{0});
-    words[last] |= to;
 }
 
 } // namespace
 
 std::uint64_t RunGrid::cells() const {
     std::uint64_t sum = 0;
-    for (const Run& run : runs) sum += static_cast<std::uint64_t>(run.end - run.begin);
+    for (std::size_t i = 0; i < boundaries.size(); i += 2)
+        sum += boundaries[i + 1] - std::uint64_t{boundaries[i]};
     return sum;
 }
 
@@ -116,18 +105,33 @@ void Scanline::sort_into_rows(std::size_t count, std::vector<std::uint32_t>& cou
 
 // Each row's crossings become its runs, and each row's end the start of them.
 void Scanline::join(std::size_t count, RunGrid& result) {
-    result.runs.resize(count / 2);
-    Run* to = result.runs.data();
+    result.boundaries.resize(count);
+    std::uint16_t* to = result.boundaries.data();
     std::uint16_t* from = sorted_.data();
     for (std::size_t row = 0; row + 1 < result.starts.size(); ++row) {
         std::uint16_t* const end = sorted_.data() + result.starts[row];
-        result.starts[row] = static_cast<std::uint32_t>(to - result.runs.data());
+        result.starts[row] = static_cast<std::uint32_t>(to - result.boundaries.data());
         sort_few(from, end);
         to = write_runs(from, end, to);
         from = end;
     }
-    result.runs.resize(static_cast<std::size_t>(to - result.runs.data()));
-    result.starts.back() = static_cast<std::uint32_t>(result.runs.size());
+    result.boundaries.resize(static_cast<std::size_t>(to - result.boundaries.data()));
+    result.starts.back() = static_cast<std::uint32_t>(result.boundaries.size());
+}
+
+void set_bits(std::uint64_t* words, unsigned begin, unsigned end) {
+    const unsigned last_bit = end - 1;
+    const unsigned first = begin / 64;
+    const unsigned last = last_bit / 64;
+    const std::uint64_t from = ~std::uint64_t{0} << (begin % 64);
+    const std::uint64_t to = ~std::uint64_t{0} >> (63 - last_bit % 64);
+    if (first == last) {
+        words[first] |= from & to;
+        return;
+    }
+    words[first] |= from;
+    std::fill(words + first + 1, words + last, ~std::uint64_t{0});
+    words[last] |= to;
 }
 
 void fill_bits(const RunGrid& runs, BitGrid& result) {
@@ -138,7 +142,9 @@ void fill_bits(const RunGrid& runs, BitGrid& result) {
     for (std::size_t row = 0; row < rows; ++row) {
         std::uint64_t* const words = result.words.data() + row * row_words;
         std::fill_n(words, row_words, 0);
-        for (std::uint32_t i = runs.starts[row]; i < runs.starts[row + 1]; ++i) set_bits(words, runs.runs[i]);
+        for (std::uint32_t i = runs.starts[row]; i < runs.starts[row + 1]; i += 2) {
+            set_bits(words, runs.boundaries[i], runs.boundaries[i + 1]);
+        }
     }
 }
 

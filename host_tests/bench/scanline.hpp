@@ -15,20 +15,17 @@
 
 namespace osem::bench {
 
-/// Cells [begin, end) of a row whose centres are inside.
-struct Run {
-    std::uint16_t begin;
-    std::uint16_t end;
-};
-
-/// All rows of a grid: row z * side + y has the runs [starts[row], starts[row + 1]), in ascending order.
+/// The cells whose centres are inside, as runs [begin, end): row z * side + y has the boundaries
+/// [starts[row], starts[row + 1]), begin and end of each run in turn, strictly ascending.
 struct RunGrid {
     std::uint32_t side = 0; ///< cells along an axis
     std::vector<std::uint32_t> starts;
-    std::vector<Run> runs;
+    std::vector<std::uint16_t> boundaries;
 
     std::uint64_t cells() const;
-    std::uint64_t bytes() const { return starts.size() * sizeof starts[0] + runs.size() * sizeof runs[0]; }
+    std::uint64_t bytes() const {
+        return starts.size() * sizeof starts[0] + boundaries.size() * sizeof boundaries[0];
+    }
 };
 
 /// A bit a cell, x lowest: cell (x, y, z) is bit x % 64 of word ((z * side + y) * side + x) / 64.
@@ -60,6 +57,9 @@ class Scanline {
     std::vector<std::uint64_t> crossings_; ///< row << 32 | crossing, as triangles come
     std::vector<std::uint16_t> sorted_;    ///< crossings, row after row
 };
+
+/// Sets bits [begin, end) of a row of words; begin < end.
+void set_bits(std::uint64_t* words, unsigned begin, unsigned end);
 
 /// Writes runs out as bits, each word once.
 void fill_bits(const RunGrid& runs, BitGrid& result);
