@@ -67,6 +67,14 @@
 //     stream       two streams, each u32 bytes and the bytes; u8 rows, each u8 operation (as in boolean), u8
 //                  whether the result is the first operand, and a tree; u8 damages, each u8 operand, u32
 //                  byte, u8 bit: turned over, the operand is refused. A row or a damage is a case
+//     surface      u8 depth, u32 leaves, the leaves in Morton order; for the inner and the outer solid, each
+//                  a case: for each facing (2 * axis + 1 if to the positive side) u16 faces and u16
+//                  squares; u32 cells, i32 Euler characteristic, u32 vertices at which three edges or more
+//                  meet
+//     fit          u8 1: a solid, u8 jobs, each u8 0 (labelling) or 1 (fitting), options, u32 pool nodes,
+//                  u8 depth of the result and a tree. u8 0: u8 depth, u32 leaves, the leaves in Morton order;
+//                  u64 inner and outer volume; u8 prunings, each u32 budget, u64 the least volume that any
+//                  tree within it loses
 //
 // `where` is the face for face_not_planar, the vertex for coordinate_off_lattice, the corner for
 // index_out_of_range, the ring for ring_too_short, and 0 otherwise.
@@ -100,12 +108,14 @@ enum class Topic : std::uint8_t {
     csg,
     transform,
     slice,
-    stream
+    stream,
+    surface,
+    fit
 };
-constexpr std::uint8_t topic_count = 13;
+constexpr std::uint8_t topic_count = 15;
 constexpr const char* topic_names[topic_count] = {"orientation", "plane",   "classify", "crossing", "frame",
                                                   "conversion",  "boolean", "measure",  "query",    "csg",
-                                                  "transform",   "slice",   "stream"};
+                                                  "transform",   "slice",   "stream",   "surface",  "fit"};
 
 /// The bits of a `classify` answer.
 constexpr std::uint8_t answer_meets = 1;
@@ -115,9 +125,15 @@ constexpr std::uint8_t answer_minimax = 2;
 constexpr std::uint8_t operation_complement = 4;
 constexpr std::uint8_t operation_count = 5;
 
-/// The bytes of a `csg` record's operands and tokens.
+/// What a `csg` operand or a `fit` record is.
 constexpr std::uint8_t operand_tree = 0;
 constexpr std::uint8_t operand_solid = 1;
+
+/// The jobs of a solid's `fit` record.
+constexpr std::uint8_t job_labelling = 0;
+constexpr std::uint8_t job_fitting = 1;
+
+/// The tokens of a `csg` record.
 constexpr std::uint8_t token_combine = 16;
 constexpr std::uint8_t token_complement = 32;
 

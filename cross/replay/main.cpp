@@ -24,7 +24,7 @@ using Replay = bool (*)(Reader&, Arena&, Report&);
 constexpr Replay replays[topic_count] = {
     replay_orientation, replay_plane,   replay_classify, replay_crossing, replay_frame,
     replay_conversion,  replay_boolean, replay_measure,  replay_query,    replay_csg,
-    replay_transform,   replay_slice,   replay_stream};
+    replay_transform,   replay_slice,   replay_stream,   replay_surface,  replay_fit};
 
 // A file is read through once before it is replayed, so that the cases of a damaged one are not run.
 bool is_whole(const char* path) {

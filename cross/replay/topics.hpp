@@ -22,6 +22,8 @@ bool replay_csg(Reader& reader, Arena& arena, Report& report);
 bool replay_transform(Reader& reader, Arena& arena, Report& report);
 bool replay_slice(Reader& reader, Arena& arena, Report& report);
 bool replay_stream(Reader& reader, Arena& arena, Report& report);
+bool replay_surface(Reader& reader, Arena& arena, Report& report);
+bool replay_fit(Reader& reader, Arena& arena, Report& report);
 
 } // namespace osem::cross
 

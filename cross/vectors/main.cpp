@@ -29,6 +29,8 @@ void write_all(const std::string& folder) {
         {"transform", vectors::write_transform},
         {"slice", vectors::write_slice},
         {"stream", vectors::write_stream},
+        {"surface", vectors::write_surface},
+        {"fit", vectors::write_fit},
     };
     std::filesystem::create_directories(folder);
     vectors::VectorFile::print_table_head();

@@ -19,6 +19,8 @@ void write_csg(const std::string& folder);
 void write_transform(const std::string& folder);
 void write_slice(const std::string& folder);
 void write_stream(const std::string& folder);
+void write_surface(const std::string& folder);
+void write_fit(const std::string& folder);
 
 } // namespace vectors
 

@@ -11,6 +11,7 @@
 #include "osem/convert.hpp"
 #include "support/heap_pool.hpp"
 #include "support/surface.hpp"
+#include "support/surface_sheets.hpp"
 
 namespace osem::tests {
 
@@ -37,6 +38,12 @@ bool converts_back(const Solid& surface, const DenseGrid& solid) {
     return back.status == Status::ok && expand(back.tree, solid.depth()) == solid;
 }
 
+// A face is a disk with holes, which has the Euler characteristic 2 - rings; every edge has two corners.
+std::int64_t euler_characteristic(const Solid& s) {
+    return std::int64_t{s.vertex_count} - s.corner_count / 2 + 2 * std::int64_t{s.face_count} -
+           s.ring_count();
+}
+
 void expect_right_surface(const DenseGrid& grid, SolidPart part) {
     static Boundary job;
     HeapPool pool(5000);
@@ -58,6 +65,7 @@ void expect_right_surface(const DenseGrid& grid, SolidPart part) {
     EXPECT_TRUE(is_manifold(surface.view(), solid));
     EXPECT_EQ(six_volumes(surface.view(), grid.cell_side()),
               static_cast<std::int64_t>(6 * solid.volume(Colour::black) / volume_at(grid.depth())));
+    EXPECT_EQ(euler_characteristic(surface.view()), count_sheets(solid).euler);
     EXPECT_TRUE(converts_back(surface.view(), solid));
 }
 
