@@ -187,6 +187,18 @@ TEST_F(Pictures, TheNearerSurfaceHidesTheOther) {
     EXPECT_FALSE(bluish(back.at(100, 100)));
 }
 
+// Two steps, a leaf apart in height and of one colour, from above.
+TEST_F(Pictures, AStepIsSeenAlongItsAxis) {
+    make_box("high", {0, 0, 0}, {0.5, 1, 0.5});
+    make_box("low", {0.5, 0, 0}, {1, 1, 0.375});
+    ASSERT_TRUE(succeeded(osem({"union", path("high.osem"), path("low.osem"), "-o", path("steps.osem")})));
+    const Picture picture = image("steps", "top", "220");
+    int rim = 255;
+    for (int x = 108; x < 112; ++x) rim = std::min(rim, picture.at(x, 110)[0]);
+    EXPECT_LT(rim + 5, picture.at(60, 110)[0]);
+    EXPECT_LT(rim + 5, picture.at(160, 110)[0]);
+}
+
 TEST_F(Pictures, AnEmptyTreeIsABackground) {
     make_box("box", {0, 0, 0}, {1, 1, 1});
     ASSERT_TRUE(succeeded(osem({"complement", path("box.osem"), "-o", path("none.osem")})));

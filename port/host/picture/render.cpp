@@ -14,8 +14,8 @@ Image render(const Subject& subject, const std::vector<Subject>& together, const
     const Samples samples =
         std::visit([&](const auto* shown) { return cast(*shown, camera, progress); }, subject);
     if (drawn) return draw_lines(samples, look.lines, per_pixel);
-    if (look.style == Style::faces) return shade(samples, samples.slope);
-    return shade(samples, surface_slopes(samples));
+    if (look.style == Style::faces) return shade(samples, samples.slope, true);
+    return shade(samples, surface_slopes(samples), false);
 }
 
 } // namespace osem::host

@@ -33,7 +33,8 @@ constexpr Direction directions[] = {{1, 0},  {half, half},   {0, 1},  {-half, ha
 
 class Shader {
   public:
-    Shader(const Samples& samples, const std::vector<Slope>& slopes) : samples_(samples), slopes_(slopes) {}
+    Shader(const Samples& samples, const std::vector<Slope>& slopes, bool steps)
+        : samples_(samples), slopes_(slopes), steps_(steps && samples.leaf >= least_step) {}
 
     Vector colour(int column, int row) const {
         const std::size_t i = samples_.index(column, row);
@@ -88,7 +89,11 @@ class Shader {
         return 1 - 0.85 * hidden / 8;
     }
 
-    // A thin dark line where the surface ends in front of another, a fainter one along its edges.
+    // Leaves of so many samples at least have room for lines between them.
+    static constexpr float least_step = 4;
+
+    // A thin dark line where the surface ends in front of another, a fainter one along its edges and on the
+    // rims of steps, which nothing else shows to a viewer who looks along an axis.
     double line(int column, int row, const Vector& normal) const {
         const std::size_t i = samples_.index(column, row);
         const double step = 4 * samples_.leaf + 3;
@@ -97,6 +102,8 @@ class Shader {
             const double drop = -rise(i, column, row, dx, dy);
             if (drop > step) {
                 strength = std::min(strength, 0.45);
+            } else if (steps_ && drop > 0.5 * samples_.leaf) {
+                strength = std::min(strength, 0.7);
             } else if (samples_.holds(column + dx, row + dy)) {
                 const Slope& beside = slopes_[samples_.index(column + dx, row + dy)];
                 const double bend = dot(normal, normal_of(beside));
@@ -110,6 +117,7 @@ class Shader {
 
     const Samples& samples_;
     const std::vector<Slope>& slopes_;
+    bool steps_;
     const Vector highlight_ = normalized(key_light + Vector{0, 0, -1});
 };
 
@@ -120,8 +128,8 @@ std::uint8_t encoded(double light) {
 
 } // namespace
 
-Image shade(const Samples& samples, const std::vector<Slope>& slopes) {
-    const Shader shader(samples, slopes);
+Image shade(const Samples& samples, const std::vector<Slope>& slopes, bool steps) {
+    const Shader shader(samples, slopes, steps);
     Image image(samples.side / 2, samples.side / 2);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {

@@ -10,8 +10,8 @@
 
 namespace osem::host {
 
-/// Shades samples and averages each 2 by 2 of them into a pixel.
-Image shade(const Samples& samples, const std::vector<Slope>& slopes);
+/// Shades samples and averages each 2 by 2 of them into a pixel; with `steps` their rims have faint lines.
+Image shade(const Samples& samples, const std::vector<Slope>& slopes, bool steps);
 
 } // namespace osem::host
 
