@@ -68,8 +68,9 @@ std::string fault_text(const CLI::App& app, const CLI::ParseError& fault) {
         command = command->get_subcommands().back();
         name += ' ' + command->get_name();
     }
-    if (command->get_require_subcommand_min() == 0 || fault.get_name() != "RequiredError")
+    if (command->get_require_subcommand_min() == 0 || fault.get_name() != "RequiredError") {
         return fault.what();
+    }
     const std::vector<std::string> unknown = command->remaining();
     const std::string hint = "; " + name + " --help lists them";
     return (unknown.empty() ? name + " wants a command" : unknown[0] + " is no command of " + name) + hint;
