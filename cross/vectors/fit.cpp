@@ -29,6 +29,7 @@ class Writer {
     void add(const oracle::TestSolid& solid, int limit, WindingRule winding) {
         const oracle::ExactSolid exact(solid.view());
         std::vector<oracle::CellGrid> grids;
+        grids.reserve(static_cast<std::size_t>(limit));
         for (int depth = 1; depth <= limit; ++depth) grids.emplace_back(exact, osem::root_octant, depth);
         Bytes jobs;
         std::uint64_t count = 0;
@@ -83,6 +84,7 @@ class Writer {
                                const std::vector<oracle::CellGrid>& grids,
                                const osem::ConvertOptions& options) {
         std::vector<TreeTruth> trees;
+        trees.reserve(grids.size());
         for (const oracle::CellGrid& grid : grids) {
             trees.emplace_back(coloured(grid, options.leaves, options.winding));
         }

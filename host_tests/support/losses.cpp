@@ -23,8 +23,9 @@ Losses least_below(const DenseGrid& grid, std::size_t first, std::size_t count) 
         if (grid.uniform_colour(at, part)) continue;
         Losses child = least_below(grid, at, part);
         std::uint64_t known = 0;
-        for (std::size_t cell = at; cell < at + part; ++cell)
+        for (std::size_t cell = at; cell < at + part; ++cell) {
             known += grid[cell] != Colour::boundary ? 1U : 0U;
+        }
         child.insert(child.begin(), known);
         losses = both(losses, child);
     }
