@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <memory>
 
@@ -95,6 +95,44 @@ host::Mesh sphere(std::uint32_t faces) {
     return mesh;
 }
 
+void add_face(host::Mesh& mesh, std::initializer_list<std::uint32_t> corners) {
+    mesh.corners.insert(mesh.corners.end(), corners);
+    mesh.end_ring();
+    mesh.end_face();
+}
+
+// An octahedron and a cube that overlap, in lattice units. Vertices, edges and faces pass through cells'
+// centres at 256 cells along an axis.
+host::Mesh ties() {
+    constexpr double middle = root_side / 2 + root_side / 512;
+    constexpr double radius = root_side / 4;
+    host::Mesh mesh;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const double offset : {-radius, radius}) {
+            Coordinates vertex{middle, middle, middle};
+            vertex[axis] += offset;
+            mesh.vertices.push_back(vertex);
+        }
+    }
+    for (std::uint32_t k = 0; k < 8; ++k) {
+        const std::uint32_t x = k & 1U, y = 2 + (k >> 1 & 1U), z = 4 + (k >> 2);
+        const bool is_outward = ((x + y + z) & 1U) != 0;
+        add_face(mesh, {x, is_outward ? y : z, is_outward ? z : y});
+    }
+    for (std::uint32_t k = 0; k < 8; ++k) {
+        const auto at = [&](std::uint32_t bit) {
+            return middle + ((k & bit) != 0 ? radius / 2 : -radius / 2);
+        };
+        mesh.vertices.push_back({at(1), at(2), at(4)});
+    }
+    for (const std::uint32_t x : {1U, 2U, 4U}) {
+        const std::uint32_t y = x == 4 ? 1 : 2 * x, z = 7 - x - y;
+        add_face(mesh, {6, 6 + z, 6 + z + y, 6 + y});
+        add_face(mesh, {6 + x, 6 + x + y, 6 + x + y + z, 6 + x + z});
+    }
+    return mesh;
+}
+
 // The cube in whose middle the mesh takes 1 / `shrink` of the root's side, less the margin.
 host::WorldCube fitted_cube(const host::Mesh& mesh, double shrink) {
     Coordinates low = mesh.vertices.at(mesh.corners.at(0));
@@ -114,12 +152,17 @@ host::WorldCube fitted_cube(const host::Mesh& mesh, double shrink) {
     return cube;
 }
 
-std::unique_ptr<BenchSolid> made(const std::string& name) {
+host::IntegerSolid quantized(const std::string& name) {
+    if (name == "ties") return host::quantize(ties(), host::WorldCube{{0, 0, 0}, root_side});
     const std::uint32_t whole = faces_in(name, "sphere-");
     const std::uint32_t small = faces_in(name, "dot-");
     const host::Mesh mesh = whole + small != 0 ? sphere(whole + small) : host::read_mesh(mesh_path(name));
+    return host::quantize(mesh, fitted_cube(mesh, small != 0 ? 16 : 1));
+}
+
+std::unique_ptr<BenchSolid> made(const std::string& name) {
     auto result = std::make_unique<BenchSolid>();
-    result->solid = host::quantize(mesh, fitted_cube(mesh, small != 0 ? 16 : 1));
+    result->solid = quantized(name);
     static_cast<void>(host::check_or_throw(result->solid));
     const Solid view = result->solid.view();
     for (std::uint32_t face = 0; face < view.face_count; ++face) {
@@ -142,11 +185,6 @@ const BenchSolid& solid_of(const std::string& name) {
         std::exit(1);
     }
     return *entry;
-}
-
-bool is_available(const std::string& name) {
-    return faces_in(name, "sphere-") + faces_in(name, "dot-") != 0 ||
-           std::filesystem::exists(mesh_path(name));
 }
 
 } // namespace osem::bench

@@ -21,13 +21,11 @@ struct BenchSolid {
 };
 
 /// The solid of a name, made once and kept: "bracket", "sphere-F" (F faces; nearly fills the root), "dot-F"
-/// (the same sphere, a sixteenth as wide), or that of a mesh in CGAL's data folder. F is 20 times a power of
-/// 4. Every solid but a dot is scaled to fit the root, with a margin of 777 lattice units. Ends the program
-/// when there is no such solid.
+/// (the same sphere, a sixteenth as wide), "ties" (parts that overlap; vertices, edges and faces pass through
+/// cells' centres at 256 cells along an axis), or that of a mesh in CGAL's data folder. F is 20 times
+/// a power of 4. Other solids are scaled to fit the root, with a margin of 777 lattice units. Ends the
+/// program when there is no such solid.
 const BenchSolid& solid_of(const std::string& name);
-
-/// Whether solid_of finds the files it needs.
-bool is_available(const std::string& name);
 
 } // namespace osem::bench
 

@@ -1,4 +1,5 @@
-// Registers what is measured. Names are theme/solid/cells-along-an-axis/method.
+// Registers what is measured. Names are theme/solid/cells along an axis/method; all methods run on one
+// thread.
 #ifndef OSEM_BENCH_SUITES_HPP
 #define OSEM_BENCH_SUITES_HPP
 
