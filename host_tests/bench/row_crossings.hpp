@@ -10,37 +10,49 @@
 
 namespace osem::bench {
 
-/// ceil(n / d) for n, n + step, n + 2 step, ...: one division for the first, one for the step.
-class RisingQuotient {
+/// n = value * d + rest with 0 <= rest < d.
+struct Quotient {
+    std::int64_t value;
+    std::int64_t rest;
+};
+
+/// Divides by one number again and again. The quotient is guessed with the reciprocal, and set right by its
+/// rest, which is an integer: so it is exact. Precondition: d > 0, the product of quotient and d fits.
+class Divisor {
   public:
-    /// Precondition: d > 0.
-    RisingQuotient(std::int64_t n, std::int64_t step, std::int64_t d) : divisor_(d) {
-        split(n + d - 1, value_, rest_);
-        split(step, value_step_, rest_step_);
-    }
-    std::int64_t value() const { return value_; }
-    void advance() {
-        rest_ += rest_step_;
-        const std::int64_t carry = rest_ >= divisor_ ? 1 : 0;
-        rest_ -= divisor_ & -carry;
-        value_ += value_step_ + carry;
+    explicit Divisor(std::int64_t d) : d_(d), reciprocal_(1.0 / static_cast<double>(d)) {}
+    std::int64_t d() const { return d_; }
+
+    Quotient floor(std::int64_t n) const {
+        Quotient q{static_cast<std::int64_t>(static_cast<double>(n) * reciprocal_), 0};
+        q.rest = n - q.value * d_;
+        for (; q.rest < 0; q.rest += d_) --q.value;
+        for (; q.rest >= d_; q.rest -= d_) ++q.value;
+        return q;
     }
 
   private:
-    // n = quotient * divisor + rest with 0 <= rest < divisor.
-    void split(std::int64_t n, std::int64_t& quotient, std::int64_t& rest) const {
-        quotient = n / divisor_;
-        rest = n - quotient * divisor_;
-        if (rest < 0) {
-            rest += divisor_;
-            --quotient;
-        }
+    std::int64_t d_;
+    double reciprocal_;
+};
+
+/// ceil(n / d) for n, n + step, n + 2 step, ..., step being given by its quotient.
+class RisingQuotient {
+  public:
+    RisingQuotient(const Divisor& divisor, std::int64_t n, const Quotient& step)
+        : d_(divisor.d()), now_(divisor.floor(n + d_ - 1)), step_(step) {}
+    std::int64_t value() const { return now_.value; }
+    void advance() {
+        now_.rest += step_.rest;
+        const std::int64_t carry = now_.rest >= d_ ? 1 : 0;
+        now_.rest -= d_ & -carry;
+        now_.value += step_.value + carry;
     }
-    std::int64_t divisor_;
-    std::int64_t value_ = 0;
-    std::int64_t rest_ = 0;
-    std::int64_t value_step_ = 0;
-    std::int64_t rest_step_ = 0;
+
+  private:
+    std::int64_t d_;
+    Quotient now_;
+    Quotient step_;
 };
 
 /// The cells of one depth, along any axis: cell i has its centre at i * side + side / 2.
@@ -127,18 +139,21 @@ class RowCrossings {
         const std::int64_t rise = b.z() - a.z();
         const std::int64_t run = b.y() - a.y();
         const std::int64_t at_zero = (a.y() - cells_.half) * rise - run * (a.z() - cells_.half);
-        return {cells_.scaled_up(at_zero) + run * z, run, rise};
+        const Divisor divisor(rise);
+        return {divisor, cells_.scaled_up(at_zero) + run * z, divisor.floor(run)};
     }
 
     template <class Span, class Cross>
     void visit_rows(std::int64_t first, std::int64_t end, RisingQuotient& whole, RisingQuotient& part,
                     const Span& span, const Cross& cross) {
+        const Divisor divisor(x_);
+        const Quotient step = divisor.floor(-y_);
         for (std::int64_t z = first; z < end; ++z, whole.advance(), part.advance()) {
             const std::int64_t left = middle_is_right_ ? whole.value() : part.value();
             const std::int64_t right = middle_is_right_ ? part.value() : whole.value();
             if (left >= right) continue;
             span(z, left, right);
-            RisingQuotient x(at_origin_ - y_ * left - z_ * z, -y_, x_);
+            RisingQuotient x(divisor, at_origin_ - y_ * left - z_ * z, step);
             for (std::int64_t y = left; y < right; ++y, x.advance()) cross(x.value(), enters_);
         }
     }

@@ -28,8 +28,15 @@ void sort_few(std::uint16_t* first, std::uint16_t* end) {
     }
 }
 
-// Writes the boundaries of one row, whose crossings are sorted; returns their end.
-std::uint16_t* write_runs(const std::uint16_t* code, const std::uint16_t* end, std::uint16_t* to) {
+// Writes the boundaries of one row from its crossings, which are sorted by the way; returns their end.
+std::uint16_t* write_runs(std::uint16_t* code, std::uint16_t* end, std::uint16_t* to) {
+    if (end - code == 2) { // mostly; the surface is closed, so one enters and the other leaves
+        const auto [begin, behind] = std::minmax({code[0] / 2, code[1] / 2});
+        to[0] = static_cast<std::uint16_t>(begin);
+        to[1] = static_cast<std::uint16_t>(behind);
+        return to + (begin < behind ? 2 : 0);
+    }
+    sort_few(code, end);
     std::int32_t winding = 0;
     std::uint16_t begin = 0;
     for (; code < end; ++code) {
@@ -111,7 +118,6 @@ void Scanline::join(std::size_t count, RunGrid& result) {
     for (std::size_t row = 0; row + 1 < result.starts.size(); ++row) {
         std::uint16_t* const end = sorted_.data() + result.starts[row];
         result.starts[row] = static_cast<std::uint32_t>(to - result.boundaries.data());
-        sort_few(from, end);
         to = write_runs(from, end, to);
         from = end;
     }
