@@ -32,7 +32,7 @@ install_packages cmake make g++ clang llvm lld libgtest-dev googletest libcgal-d
 OSEM_CGAL_DATA=$(unpack_meshes "$build")
 export OSEM_CGAL_DATA
 
-stage "vectors from CGAL"
+stage "the oracles' vectors"
 cmake -S "$root" -B "$build/gcc-release" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_CROSS=ON > /dev/null
 build_host "$build/gcc-release" osem_vectors osem_tool
 rm -rf "$out/vectors"
@@ -73,5 +73,5 @@ fi
 stage "all passed"
 printf '%-13s %-30s %9s %9s %10s %8s  %-16s %6s %9s\n' target "runs on" cases failures "too large" levels digest tests firmware
 for target in "${targets[@]}"; do cat "$out/$target/line"; done
-echo "cases: replayed and compared with CGAL's answers; too large: left out for want of memory; levels: of -O0, -O2, -Os"
+echo "cases: replayed and compared with the oracles' answers; too large: left out for want of memory; levels: of -O0, -O2, -Os"
 echo "and link-time optimisation, those with the pinned digests; tests: GoogleTest; firmware: the examples print the same"
