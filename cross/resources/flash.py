@@ -8,7 +8,7 @@ from processors import COMPILER, RESOURCES, Failure, run
 # Each program has its own functions and those of the features before it.
 FEATURES = ("query", "booleans", "conversion", "check")
 # Each program has its own functions only.
-ALONE = ("stream_query", "stream_boolean", "ray", "nearest", "collide", "measures", "components", "bintree",
+ALONE = ("stream_query", "stream_boolean", "ray", "nearest", "collide", "measures", "components", "grid", "bintree",
          "fit", "csg", "transform", "slice", "boundary")
 WHOLE = "all"  # every function of the kernel
 

@@ -25,12 +25,14 @@ constexpr Sphere right(Point{{600000, 560000, 540000}}, 380000);
 StaticNodePool<20000> pool;
 StaticNodePool<10000> read_back;
 Conversion conversion;
+GridConversion grid_conversion;
 Labelling labelling;
 Combination combination;
 StreamReader reader;
 Edge edges[Sphere::corner_count];
 std::uint32_t faces[Sphere::triangle_count];
 std::uint32_t blocks[block_size];
+std::uint32_t grid_words[5000];
 std::uint8_t stream[30000];
 std::size_t stream_length = 0;
 Point cells[query_count];
@@ -90,6 +92,22 @@ TreeOutcome converted(const Sphere& sphere) {
                    &pool);
 }
 
+// By grids, to the same tree; the pool is left as it was.
+bool converted_by_grids(const Octree& same) {
+    const std::uint32_t mark = pool.used();
+    TreeOutcome outcome = {};
+    const bool good = count("convert_grid", [&] {
+        ConvertOptions options;
+        options.depth = depth;
+        outcome =
+            convert(grid_conversion, CheckedSolid::vouched(left.solid()), options, grid_words, 5000, &pool);
+        return outcome.status == Status::ok;
+    });
+    const bool right_tree = good && same_leaves(same, outcome.tree);
+    pool.roll_back(mark);
+    return right_tree;
+}
+
 // The other technique, to the same tree; the pool is left as it was.
 bool labelled(const Octree& same) {
     const std::uint32_t mark = pool.used();
@@ -129,6 +147,7 @@ bool all_jobs() {
         a = converted(left);
         return a.status == Status::ok;
     });
+    good &= converted_by_grids(a.tree);
     good &= labelled(a.tree);
     const TreeOutcome b = converted(right);
     TreeOutcome both = {};

@@ -9,6 +9,7 @@ OSEM_SIZE(Edge);
 OSEM_SIZE(Octree);
 OSEM_SIZE(TreeBuilder);
 OSEM_SIZE(Conversion);
+OSEM_SIZE(GridConversion);
 OSEM_SIZE(Labelling);
 OSEM_SIZE(Fitting);
 OSEM_SIZE(Pruning);

@@ -16,6 +16,7 @@ FEATURE_TEXTS = {
     "stream_boolean": "Booleans from stream to stream",
     "nearest": "face neighbours and the nearest leaf",
     "collide": "collision of two trees",
+    "grid": "conversion by grids",
     "bintree": "conversion by a bintree",
     "fit": "the finest conversion that fits, and pruning",
     "csg": "expressions over solids, trees and streams",
@@ -27,6 +28,7 @@ FEATURE_TEXTS = {
 JOB_TEXTS = {
     "check": "check a sphere of 768 triangles",
     "convert": "convert it at 64 x 64 x 64",
+    "convert_grid": "convert it by grids",
     "convert_bintree": "convert it by the bintree technique",
     "union": "union of two such trees",
     "point_queries": "1,000 point queries",

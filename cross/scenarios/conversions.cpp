@@ -27,6 +27,23 @@ void add_depths(Digest& digest, const Solid& solid, LeafRule leaves, int greates
     }
 }
 
+// A grid conversion with its scratch, which is less than for certain would be enough.
+struct GridRun {
+    GridConversion job;
+    std::uint32_t words[300];
+};
+
+void add_grid_depths(Digest& digest, const Solid& solid, const ConvertOptions& deepest) {
+    auto& run = fresh<GridRun>();
+    ConvertOptions options = deepest;
+    for (options.depth = 1; options.depth <= deepest.depth; ++options.depth) {
+        pool.roll_back(0);
+        add(digest, convert(run.job, CheckedSolid::vouched(solid), options, run.words, 300, &pool));
+        digest.add(run.job.grids_visited());
+        digest.add(run.job.scratch_used());
+    }
+}
+
 } // namespace
 
 std::uint64_t plate_conservative() {
@@ -130,6 +147,18 @@ std::uint64_t small_pools() {
         digest.add(small.refused());
     }
     digest.add(converted(solid, options, nullptr).nodes_needed); // a counting pass
+    return digest.value();
+}
+
+std::uint64_t conversions_by_grids() {
+    Digest digest;
+    for (const auto leaves : {LeafRule::conservative, LeafRule::centre}) {
+        add_grid_depths(digest, plate(), ConvertOptions{5, leaves});
+        add_grid_depths(digest, octahedron(), ConvertOptions{6, leaves});
+        for (const auto winding : {WindingRule::nonzero, WindingRule::odd, WindingRule::positive}) {
+            add_grid_depths(digest, nested_shells(), ConvertOptions{4, leaves, winding});
+        }
+    }
     return digest.value();
 }
 

@@ -23,6 +23,7 @@ constexpr Scenario scenarios[] = {
     {"unit_leaves", unit_leaves},
     {"small_steps", small_steps},
     {"small_pools", small_pools},
+    {"conversions_by_grids", conversions_by_grids},
     {"booleans_conservative", booleans_conservative},
     {"booleans_centre", booleans_centre},
     {"shared_operands", shared_operands},

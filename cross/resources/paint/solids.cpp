@@ -12,8 +12,11 @@ constexpr Sphere shifted(Point{{600000, 560000, 540000}}, 380000);
 
 StaticNodePool<20> small_pool;
 Conversion conversion;
+GridConversion grid_conversion;
 Edge edges[Sphere::corner_count];
 std::uint32_t faces[Sphere::triangle_count];
+constexpr std::uint32_t word_count = 5000;
+std::uint32_t words[word_count];
 
 constexpr ConvertOptions options_of(int depth, LeafRule leaves, WindingRule winding) {
     return {depth, leaves, winding};
@@ -87,6 +90,32 @@ void measure_conversion(const Solid& solid) {
     });
 }
 
+void measure_grid_conversion(const Solid& solid) {
+    const CheckedSolid checked = CheckedSolid::vouched(solid);
+    const std::uint32_t mark = pool.used();
+    measured("convert", [&] {
+        const TreeOutcome a = convert(grid_conversion, checked, conservative, words, word_count, &pool);
+        use(a);
+    });
+    expect(pool.used() > mark);
+    pool.roll_back(mark);
+    measured("GridConversion::begin",
+             [&] { use(grid_conversion.begin(checked, centre, words, word_count, &pool)); });
+    measured("GridConversion::step", [&] { grid_conversion.step(100); });
+    std::uint64_t volume = 0;
+    measured("GridConversion::decided_volume", [&] { volume = grid_conversion.decided_volume(); });
+    expect(volume != 0);
+    measured("GridConversion::step", [&] {
+        while (grid_conversion.step(1000)) {
+        }
+    });
+    measured("GridConversion::finish", [&] {
+        const TreeOutcome outcome = grid_conversion.finish();
+        use(outcome);
+    });
+    pool.roll_back(mark);
+}
+
 void measure_frame() {
     const Frame rounding = {{-1000, 0, 1000}, -3};
     const WorldPoint world = {{7001, 8002, 9003}};
@@ -109,6 +138,8 @@ PaintTrees paint_solids() {
     measure_classify();
     measure_conversion(sphere.solid());
     measure_conversion(plate);
+    measure_grid_conversion(sphere.solid());
+    measure_grid_conversion(plate);
     measure_frame();
     const TreeOutcome a = converted(sphere.solid(), conservative);
     const TreeOutcome b = converted(shifted.solid(), conservative);

@@ -16,6 +16,7 @@
 #include "osem/face_walk.hpp"
 #include "osem/fit.hpp"
 #include "osem/frame.hpp"
+#include "osem/grid_convert.hpp"
 #include "osem/lattice.hpp"
 #include "osem/measure.hpp"
 #include "osem/nearest.hpp"

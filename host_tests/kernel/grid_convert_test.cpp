@@ -1,0 +1,243 @@
+// Conversion by grids: the trees of divide and conquer, node for node at the same places, whatever the solid.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "osem/grid_convert.hpp"
+#include "support/heap_pool.hpp"
+#include "support/small_solids.hpp"
+
+namespace osem::tests {
+
+namespace {
+
+constexpr WindingRule rules[] = {WindingRule::nonzero, WindingRule::odd, WindingRule::positive};
+constexpr LeafRule leaf_rules[] = {LeafRule::conservative, LeafRule::centre};
+
+// Scratch of exactly so many words, so that the address sanitizer sees one too many.
+struct Words {
+    std::vector<std::uint32_t> words;
+
+    explicit Words(std::uint64_t size) : words(static_cast<std::size_t>(size)) {}
+    std::uint32_t size() const { return static_cast<std::uint32_t>(words.size()); }
+    Status begin(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options,
+                 NodePool* pool) {
+        return job.begin(solid.checked(), options, words.data(), size(), pool);
+    }
+    TreeOutcome run(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options,
+                    NodePool* pool) {
+        return convert(job, solid.checked(), options, words.data(), size(), pool);
+    }
+};
+
+void expect_same(const SmallSolid& solid, const ConvertOptions& options) {
+    HeapPool expected(300000);
+    const TreeOutcome divided = converted(solid, options, &*expected);
+    ASSERT_EQ(divided.status, Status::ok);
+    HeapPool pool(divided.nodes_needed);
+    Words scratch(grid_scratch(solid.view(), options.depth));
+    GridConversion job;
+    const TreeOutcome outcome = scratch.run(job, solid, options, &*pool);
+    ASSERT_EQ(outcome.status, Status::ok);
+    ASSERT_EQ(outcome.nodes_needed, divided.nodes_needed);
+    ASSERT_EQ(outcome.tree.top, divided.tree.top) << "depth " << options.depth;
+    ASSERT_EQ(outcome.tree.depth, options.depth);
+    ASSERT_EQ(pool.used_nodes(), expected.used_nodes());
+    ASSERT_LE(job.scratch_used(), scratch.size());
+}
+
+void expect_same(const SmallSolid& solid, int first_depth, int last_depth) {
+    for (int depth = first_depth; depth <= last_depth; ++depth) {
+        for (const WindingRule rule : rules) {
+            for (const LeafRule leaves : leaf_rules) {
+                if (leaves == LeafRule::centre && depth == max_depth) continue;
+                SCOPED_TRACE(testing::Message() << "rule " << int(rule) << ", leaves " << int(leaves));
+                expect_same(solid, ConvertOptions{depth, leaves, rule});
+                if (testing::Test::HasFatalFailure()) return;
+            }
+        }
+    }
+}
+
+Box box(std::int32_t low, std::int32_t high, int winding = 1) {
+    constexpr std::int32_t unit = root_side / 16;
+    return {{{low * unit, low * unit, low * unit}}, {{high * unit, high * unit, high * unit}}, winding};
+}
+
+std::vector<std::vector<Box>> box_cases() {
+    return {
+        {box(2, 9)},
+        {{{{100001, 90003, 120005}}, {{600007, 500009, 400011}}}},
+        {box(1, 15), box(3, 12, -1), box(5, 9)},
+        {box(0, 16), box(4, 12, -1)},
+        {box(1, 9), box(5, 13)},
+        {box(1, 15), box(2, 14), box(3, 13), box(4, 12), box(5, 11)}, // winding numbers up to 5
+        {box(1, 15, -1), box(2, 14, -1), box(3, 13, -1)},
+        {{{{0, 0, 0}}, {{root_side / 2, root_side, root_side}}},
+         {{{root_side / 2, 0, 0}}, {{root_side, root_side, root_side}}}}, // a wall between equal windings
+    };
+}
+
+TEST(GridConversion, BoxesNestedTouchingAndOverlapping) {
+    for (const std::vector<Box>& boxes : box_cases()) {
+        expect_same(boxes_solid(boxes), 1, 5);
+        expect_same(boxes_solid(boxes).triangulated(), 1, 5);
+    }
+}
+
+TEST(GridConversion, TunnelsAndObliqueFaces) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const Tunnel tunnel = {{{{70000, 80000, 90000}}, {{900001, 800001, 700001}}},
+                               {{{300000, 300000, 300000}}, {{600000, 600000, 600000}}},
+                               axis};
+        expect_same(tunnel_solid(tunnel), 1, 5);
+        const Diamond diamond = {{{500000, 500001, 500003}}, 300007, axis, 100001, 900001};
+        expect_same(diamond_solid(diamond), 1, 5);
+        expect_same(diamond_solid(diamond).triangulated(), 1, 5);
+    }
+    const std::int32_t half = root_side / 2;
+    for (const Octahedron& octahedron :
+         {Octahedron{{{half, half, half}}, half}, Octahedron{{{half, half, half}}, half / 2},
+          Octahedron{{{400001, 500003, 600005}}, 399999}}) {
+        expect_same(octahedron_solid(octahedron), 1, 6);
+        expect_same(octahedron_solid(octahedron).inverted(), 4, 4);
+    }
+}
+
+// Leaves of side 1 and 2, and triangles no larger than they.
+TEST(GridConversion, TheDeepestLeaves) {
+    for (const std::int32_t low : {0, 12345, root_side - 9}) {
+        const Octahedron octahedron = {{{low + 4, low + 5, low + 4}}, 4};
+        expect_same(octahedron_solid(octahedron), max_depth - 3, max_depth);
+        const Box small = {{{low + 1, low + 2, low + 3}}, {{low + 5, low + 4, low + 9}}};
+        expect_same(box_solid(small).triangulated(), max_depth - 3, max_depth);
+    }
+}
+
+Point random_point(std::mt19937& random, std::int32_t grain) {
+    Point p = {};
+    std::uniform_int_distribution<std::int32_t> coordinate(0, root_side / grain);
+    for (std::int32_t& value : p.at) value = coordinate(random) * grain;
+    return p;
+}
+
+// Tetrahedra of either orientation. On a coarse lattice many are flat, have corners in common, or faces in
+// the planes of octants.
+SmallSolid tetrahedra(std::uint32_t seed, std::int32_t grain, int count) {
+    std::mt19937 random(seed);
+    SmallSolid solid;
+    for (; count > 0; --count) {
+        const Point a = random_point(random, grain);
+        const Point b = random_point(random, grain);
+        const Point c = random_point(random, grain);
+        const Point d = random_point(random, grain);
+        solid.add_face({{a, b, c}});
+        solid.add_face({{a, c, d}});
+        solid.add_face({{a, d, b}});
+        solid.add_face({{b, d, c}});
+    }
+    return solid;
+}
+
+TEST(GridConversion, RandomTetrahedra) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        expect_same(tetrahedra(seed, 1, 3), 3, 4);
+        expect_same(tetrahedra(seed, root_side / 16, 5), 3, 5);
+        expect_same(tetrahedra(seed, root_side / 4, 9), 2, 4);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(GridConversion, WindingNumbersOfManyTetrahedra) { expect_same(tetrahedra(7, root_side / 8, 300), 2, 4); }
+
+TEST(GridConversion, BudgetsAndProgress) {
+    const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
+    Words scratch(grid_scratch(solid.view(), 6));
+    for (const int depth : {5, 6}) {
+        std::vector<std::uint64_t> digests;
+        for (const std::uint32_t budget : {1U, 2U, 7U, UINT32_MAX}) {
+            HeapPool pool(20000);
+            GridConversion job;
+            ASSERT_EQ(scratch.begin(job, solid, ConvertOptions{depth}, &*pool), Status::ok);
+            EXPECT_TRUE(job.step(0));
+            std::uint64_t decided = 0;
+            while (job.step(budget)) {
+                EXPECT_LE(decided, job.decided_volume());
+                decided = job.decided_volume();
+                EXPECT_LT(decided, root_volume);
+            }
+            EXPECT_EQ(job.decided_volume(), root_volume);
+            EXPECT_FALSE(job.step(budget));
+            const TreeOutcome outcome = job.finish();
+            ASSERT_EQ(outcome.status, Status::ok);
+            EXPECT_EQ(job.finish().status, Status::ok);
+            digests.push_back(digest(outcome.tree) + job.grids_visited());
+        }
+        EXPECT_EQ(digests, std::vector<std::uint64_t>(digests.size(), digests[0]));
+    }
+}
+
+TEST(GridConversion, EveryPoolTooSmallSaysHowMuch) {
+    const SmallSolid solid =
+        boxes_solid({box(1, 9), {{{300001, 300001, 300001}}, {{750001, 700001, 400001}}, -1}});
+    const ConvertOptions options = {4};
+    Words scratch(grid_scratch(solid.view(), 4));
+    GridConversion job;
+    const std::uint32_t needed = scratch.run(job, solid, options, nullptr).nodes_needed;
+    ASSERT_GT(needed, 20U);
+    for (std::uint32_t room = 0; room < needed; ++room) {
+        HeapPool pool(3 + room);
+        pool.fill_to(3);
+        const PoolImage before(pool);
+        const TreeOutcome outcome = scratch.run(job, solid, options, &*pool);
+        ASSERT_EQ(outcome.status, Status::pool_exhausted);
+        ASSERT_EQ(outcome.nodes_missing, needed - room);
+        ASSERT_TRUE(before.same_nodes(pool));
+    }
+}
+
+TEST(GridConversion, EveryScratchTooSmallIsRefusedAndGivingUpRollsBack) {
+    const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
+    const ConvertOptions options = {6};
+    GridConversion job;
+    Words enough(grid_scratch(solid.view(), 6));
+    EXPECT_EQ(enough.size(), 200U); // three grids in one another: 3 x 3 x 8 + 2 x 64
+    HeapPool pool(20000);
+    pool.fill_to(3);
+    const PoolImage before(pool);
+    ASSERT_EQ(enough.run(job, solid, options, nullptr).status, Status::ok);
+    const std::uint32_t used = job.scratch_used();
+    EXPECT_GT(used, 3 * solid.face_count());
+    for (std::uint32_t size = 0; size < used; ++size) {
+        Words scratch(size);
+        const TreeOutcome outcome = scratch.run(job, solid, options, &*pool);
+        ASSERT_EQ(outcome.status, Status::scratch_too_small) << size;
+        ASSERT_TRUE(before.same_nodes(pool));
+    }
+    for (std::uint32_t grids = 0;; grids += 3) {
+        ASSERT_EQ(enough.begin(job, solid, options, &*pool), Status::ok);
+        if (!job.step(grids)) break;
+        ASSERT_EQ(job.finish().status, Status::unfinished);
+        ASSERT_TRUE(before.same_nodes(pool));
+    }
+    Words exact(used);
+    EXPECT_EQ(exact.run(job, solid, options, nullptr).status, Status::ok);
+}
+
+TEST(GridConversion, Refusals) {
+    const SmallSolid solid = box_solid(box(2, 9));
+    Words scratch(300);
+    GridConversion job;
+    EXPECT_EQ(job.finish().status, Status::unfinished);
+    EXPECT_FALSE(job.step(1));
+    for (const int depth : {-1, 0, 21}) {
+        EXPECT_EQ(scratch.run(job, solid, ConvertOptions{depth}, nullptr).status, Status::depth_out_of_range);
+    }
+    EXPECT_EQ(scratch.run(job, solid, ConvertOptions{20, LeafRule::centre}, nullptr).status,
+              Status::depth_out_of_range);
+}
+
+} // namespace
+
+} // namespace osem::tests
