@@ -166,7 +166,7 @@ TEST_F(Tool, CrossingShellsOfAPolyAreOddUnlessSaidOtherwise) {
 TEST_F(Tool, StatsNameTheFiveStages) {
     write_file(path("box.off"), box_off({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}));
     const Ran ran = osem({"convert", path("box.off"), "-o", path("box.osem"), "--frame", "0,0,0,1", "--depth",
-                          "3", "--stats"});
+                          "3", "--technique", "divide", "--stats"});
     ASSERT_TRUE(succeeded(ran));
     std::size_t at = ran.out.find("stage");
     for (const char* word : {"rejected", "accepted", "minimax", "plane", "vertices", "section", "holes"}) {

@@ -31,9 +31,14 @@ class Fit : public Tool {
     }
 };
 
-TEST_F(Fit, BothTechniquesGiveTheSameFile) {
+TEST_F(Fit, AllTechniquesGiveTheSameFile) {
     ASSERT_TRUE(succeeded(convert({"--technique", "divide"})));
     const std::string divided = read_file(path("box.osem"));
+    const Ran grids = convert({"--stats"});
+    ASSERT_TRUE(succeeded(grids));
+    EXPECT_EQ(read_file(path("box.osem")), divided);
+    EXPECT_EQ(table(grids.out)["nodes"], "361");
+    EXPECT_GT(std::stoul(table(grids.out)["grids"]), 1U);
     const Ran ran = convert({"--technique", "bintree", "--stats"});
     ASSERT_TRUE(succeeded(ran));
     EXPECT_EQ(read_file(path("box.osem")), divided);

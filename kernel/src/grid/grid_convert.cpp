@@ -85,7 +85,7 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
     builder_.abandon();
     const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
     if (options.depth < 1 || options.depth > greatest_depth) return Status::depth_out_of_range;
-    if (scratch_size / entry_words < solid.view().face_count) return Status::scratch_too_small;
+    if (scratch_size < std::uint64_t{entry_words} * solid.view().face_count) return Status::scratch_too_small;
     solid_ = solid.view();
     options_ = options;
     scratch_ = scratch;

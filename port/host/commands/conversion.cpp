@@ -5,6 +5,7 @@
 #include "mesh/bad_input.hpp"
 #include "osem/bintree.hpp"
 #include "osem/fit.hpp"
+#include "osem/grid_convert.hpp"
 
 namespace osem::host {
 
@@ -28,9 +29,10 @@ void require_ok(Status status) {
     if (status != Status::ok) throw BadInput(describe(status));
 }
 
-TreeOutcome run_pass(Conversion& job, const CheckedSolid& solid, const ConvertOptions& options, Words& faces,
+template <class Job>
+TreeOutcome run_pass(Job& job, const CheckedSolid& solid, const ConvertOptions& options, Words& scratch,
                      NodePool* pool, Progress& progress) {
-    require_ok(job.begin(solid, options, faces.data(), size_of(faces), pool));
+    require_ok(job.begin(solid, options, scratch.data(), size_of(scratch), pool));
     drive(job, progress, pool == nullptr ? 0 : 1, 2);
     return job.finish();
 }
@@ -49,6 +51,26 @@ LabellingOutcome run_pass(Labelling& job, const CheckedSolid& solid, const Conve
 }
 
 } // namespace
+
+Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress) {
+    const auto job = std::make_unique<GridConversion>();
+    const std::uint64_t words = grid_scratch(solid.view(), options.depth);
+    if (words > UINT32_MAX) throw BadInput("too many faces for grids; --technique divide takes less memory");
+    Words scratch(static_cast<std::size_t>(words));
+    const TreeOutcome counted = run_pass(*job, solid, options, scratch, nullptr, progress);
+    auto pool = std::make_unique<HostPool>(counted.nodes_needed);
+    const Stopwatch watch;
+    const TreeOutcome outcome = run_pass(*job, solid, options, scratch, &pool->pool(), progress);
+    const double seconds = watch.seconds();
+    require_ok(outcome.status);
+    return {std::move(pool),
+            outcome.tree,
+            seconds,
+            StageCounts{},
+            job->grids_visited(),
+            bytes(sizeof(GridConversion), job->scratch_used(), counted.nodes_needed),
+            {{"scratch_words", job->scratch_used()}}};
+}
 
 // Twice: the first pass only counts the nodes, so that the second has exactly the memory it needs.
 Converted divide(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress) {

@@ -17,13 +17,16 @@ namespace osem::host {
 struct Converted {
     std::unique_ptr<HostPool> pool;
     Octree tree;
-    double seconds; ///< of the pass that wrote the tree
-    StageCounts stages;
-    std::uint64_t visited; ///< octants or blocks
+    double seconds;        ///< of the pass that wrote the tree
+    StageCounts stages;    ///< all 0 by grids
+    std::uint64_t visited; ///< grids, octants or blocks
     std::uint64_t memory;  ///< bytes of job, scratch and pool
     /// What else the technique counts, by name.
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
+
+/// Grids of 64 octants.
+Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);
 
 /// Divide and conquer.
 Converted divide(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);

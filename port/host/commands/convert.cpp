@@ -25,7 +25,10 @@ namespace osem::host {
 
 namespace {
 
-enum class Technique { divide, bintree };
+enum class Technique { grids, divide, bintree };
+
+// What each technique visits.
+const char* const visited_names[] = {"grid", "octant", "block"};
 
 struct Options {
     std::string input;
@@ -33,25 +36,28 @@ struct Options {
     std::string quantized;
     SolidOptions solid;
     ConvertOptions conversion; ///< but for the winding rule
-    Technique technique = Technique::divide;
+    Technique technique = Technique::grids;
     std::optional<std::uint32_t> nodes; ///< to fit
     bool stats = false;
 };
 
-void print_stats(std::ostream& out, Technique technique, const Converted& converted) {
+void print_stages(std::ostream& out, const StageCounts& stages) {
     static const char* const names[stage_count] = {"minimax", "plane", "vertices", "section", "holes"};
-    const StageCounts& stages = converted.stages;
     out << "stage             rejected         accepted\n";
     for (int i = 0; i < stage_count; ++i) {
         out << std::left << std::setw(9) << names[i] << std::right << std::setw(17) << stages.rejected[i]
             << std::setw(17) << stages.accepted[i] << '\n';
     }
-    const bool blocks = technique == Technique::bintree;
-    out << (blocks ? "blocks " : "octants ") << converted.visited << '\n';
+}
+
+void print_stats(std::ostream& out, Technique technique, const Converted& converted) {
+    if (technique != Technique::grids) print_stages(out, converted.stages);
+    const std::string visited = visited_names[static_cast<int>(technique)];
+    out << visited << "s " << converted.visited << '\n';
     for (const auto& [name, count] : converted.counts) out << name << ' ' << count << '\n';
     out << "nodes " << measure(converted.tree).nodes << '\n'
         << "memory_bytes " << converted.memory << '\n'
-        << (blocks ? "ns_per_block " : "ns_per_octant ")
+        << "ns_per_" << visited << ' '
         << static_cast<std::uint64_t>(1e9 * converted.seconds / static_cast<double>(converted.visited))
         << '\n';
 }
@@ -61,7 +67,7 @@ void refuse_contradictions(const Options& options) {
     if (centre && options.conversion.depth == max_depth) {
         throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
     }
-    if (options.technique == Technique::divide) return;
+    if (options.technique != Technique::bintree) return;
     if (centre) throw CLI::ValidationError("--technique", "bintree has no centre leaves");
     if (options.nodes) throw CLI::ValidationError("--technique", "--fit divides");
 }
@@ -73,7 +79,8 @@ Converted convert(const Options& options, const CheckedSolid& solid, WindingRule
     Progress progress(console, "converting");
     if (options.nodes) return divide_to_fit(solid, conversion, *options.nodes, progress);
     if (options.technique == Technique::bintree) return label(solid, conversion, progress);
-    return divide(solid, conversion, progress);
+    if (options.technique == Technique::divide) return divide(solid, conversion, progress);
+    return convert_by_grids(solid, conversion, progress);
 }
 
 void run_convert(const Options& options, const Console& console) {
@@ -99,7 +106,8 @@ void run_convert(const Options& options, const Console& console) {
     }
     tree_file.commit();
     if (options.nodes) console.out << "depth " << int{converted.tree.depth} << '\n';
-    if (options.stats) print_stats(console.out, options.technique, converted);
+    const Technique technique = options.nodes ? Technique::divide : options.technique;
+    if (options.stats) print_stats(console.out, technique, converted);
 }
 
 } // namespace
@@ -124,9 +132,9 @@ void add_convert(CLI::App& app, const Console& console) {
         ->type_name("RULE");
     add_choice<Technique>(
         *command, "--technique", options->technique,
-        "divide (the default: divide and conquer) or bintree (a bintree and the labelling of its "
-        "components); the trees are the same",
-        {{"divide", Technique::divide}, {"bintree", Technique::bintree}})
+        "grids (the default: 64 octants at once), divide (octant by octant, in less memory) or bintree (a "
+        "bintree and the labelling of its components); the trees are the same",
+        {{"grids", Technique::grids}, {"divide", Technique::divide}, {"bintree", Technique::bintree}})
         ->type_name("NAME");
     command
         ->add_option_function<std::string>(
@@ -140,8 +148,8 @@ void add_convert(CLI::App& app, const Console& console) {
     add_solid_options(*command, options->solid);
     command->add_flag(
         "--stats", options->stats,
-        "Print faces rejected and accepted by each stage, octants or blocks visited, nodes, memory "
-        "and time");
+        "Print the grids, octants or blocks visited, nodes, memory and time; but for grids also how many "
+        "faces each stage rejected and accepted");
     add_output(*command, "--quantized", options->quantized,
                "Also write the integer solid actually converted, in lattice units (0 to 2^20)")
         ->type_name("Q.off");
