@@ -149,6 +149,42 @@ TEST(GridConversion, RandomTetrahedra) {
     }
 }
 
+// A sheared prism over four corners in a plane: convex, concave, crossing itself, or with corners that
+// coincide. Its sides are parallelograms.
+SmallSolid prism(std::uint32_t seed, std::int32_t grain) {
+    std::mt19937 random(seed);
+    const Point up = {{root_side / 16, -root_side / 8, root_side / 4}};
+    Polygon base;
+    while (base.size() < 4) {
+        Point p = random_point(random, grain);
+        p.at[0] = p.at[0] / 2 + root_side / 4;
+        p.at[1] = p.at[1] / 2 + root_side / 4;
+        p.at[2] = root_side / 3;
+        base.push_back(p);
+    }
+    const auto lifted = [&up](const Point& p) {
+        return Point{{p.x() + up.x(), p.y() + up.y(), p.z() + up.z()}};
+    };
+    SmallSolid solid;
+    solid.add_face({{base[3], base[2], base[1], base[0]}});
+    solid.add_face({{lifted(base[0]), lifted(base[1]), lifted(base[2]), lifted(base[3])}});
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Point& a = base[i];
+        const Point& b = base[(i + 1) % 4];
+        solid.add_face({{a, b, lifted(b), lifted(a)}});
+    }
+    return solid;
+}
+
+TEST(GridConversion, RandomQuadrangles) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        expect_same(prism(seed, 1), 3, 5);
+        expect_same(prism(seed, root_side / 4), 3, 5);
+        if (HasFatalFailure()) return;
+    }
+}
+
 TEST(GridConversion, WindingNumbersOfManyTetrahedra) { expect_same(tetrahedra(7, root_side / 8, 300), 2, 4); }
 
 TEST(GridConversion, BudgetsAndProgress) {

@@ -24,10 +24,10 @@ constexpr std::uint64_t grid_scratch(const Solid& solid, int depth) {
 /// pool. It holds all of its state, so it may be a static object.
 ///
 /// An octant that faces meet is divided into 4 x 4 x 4 octants at once (the root into 2 x 2 x 2 if the depth
-/// is odd). For a triangle the separating axes of all 64 are found by additions, as masks: the bounding box,
-/// three projections to squares, the plane. The reference points' winding numbers are added up side by side.
-/// Other faces are classified octant by octant. With centre leaves the reference points are the leaves'
-/// centres, so at full depth nothing is classified. See kernel/DESIGN.md.
+/// is odd). For triangles and convex quadrangles the separating axes of all 64 are found by additions, as
+/// masks: the bounding box, three projections to squares, the plane. The reference points' winding numbers
+/// are added up side by side. Other faces are classified octant by octant. With centre leaves the reference
+/// points are the leaves' centres, so at full depth nothing is classified. See kernel/DESIGN.md.
 class GridConversion {
   public:
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
@@ -38,8 +38,8 @@ class GridConversion {
                  std::uint32_t scratch_size, NodePool* pool);
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
-    /// grid above, and each triangle that meets the grid's octant against its 64 octants; for other faces up
-    /// to 64 classifications and 21 winding numbers each.
+    /// grid above, and each triangle or convex quadrangle that meets the grid's octant against its 64
+    /// octants; for other faces up to 64 classifications and 21 winding numbers each.
     bool step(std::uint32_t grids);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.

@@ -41,18 +41,15 @@ struct SeenEdge {
     }
 };
 
-// A triangle as seen along an axis: its edges run from a to b to c, counter-clockwise, or all in one line.
+// A convex face as seen along an axis: its edges run counter-clockwise, or all in one line.
 template <Axis axis>
-class SeenTriangle {
+class SeenFace {
   public:
-    SeenTriangle(const Solid& solid, const std::uint32_t* corners, const Plane& plane)
-        : corner_{&solid.vertices[corners[0]], &solid.vertices[corners[1]], &solid.vertices[corners[2]]},
-          in_line_(plane.normal(axis).value() == 0) {
+    SeenFace(const Solid& solid, const std::uint32_t* corners, int count, const Plane& plane)
+        : count_(count), in_line_(plane.normal(axis).value() == 0) {
         // (x, z) is left-handed as seen along y.
-        if ((plane.normal(axis).sign() < 0) == (axis == axis_y)) return;
-        const Point* second = corner_[1];
-        corner_[1] = corner_[2];
-        corner_[2] = second;
+        const bool forward = (plane.normal(axis).sign() < 0) == (axis == axis_y);
+        for (int i = 0; i < count; ++i) corner_[i] = &solid.vertices[corners[forward ? i : count - 1 - i]];
     }
 
     // The squares that it meets, of those that its bounding rectangle meets; `first` is the corner of the
@@ -60,9 +57,9 @@ class SeenTriangle {
     unsigned met(const OctantGrid& grid, const IndexRange (&range)[3], const Point& first) const {
         const Squares squares = {range[u_of[axis]], range[v_of[axis]]};
         unsigned set = squares.all();
-        for (int i = 0; i < 3 && set != 0; ++i) {
+        for (int i = 0; i < count_ && set != 0; ++i) {
             const Point& a = *corner_[i];
-            const Point& b = *corner_[i == 2 ? 0 : i + 1];
+            const Point& b = *corner_[i + 1 == count_ ? 0 : i + 1];
             const SeenEdge edge(a, b, axis, first);
             if (edge.is_null()) continue; // a null axis separates nothing
             set &= edge.reaching(grid, squares);
@@ -75,14 +72,16 @@ class SeenTriangle {
     // line.
     unsigned holding(const OctantGrid& grid, const Squares& squares, const Point& first) const {
         unsigned set = squares.all();
-        for (int i = 0; i < 3 && set != 0; ++i) {
-            set &= SeenEdge(*corner_[i], *corner_[i == 2 ? 0 : i + 1], axis, first).holding(grid, squares);
+        for (int i = 0; i < count_ && set != 0; ++i) {
+            set &= SeenEdge(*corner_[i], *corner_[i + 1 == count_ ? 0 : i + 1], axis, first)
+                       .holding(grid, squares);
         }
         return set;
     }
 
   private:
-    const Point* corner_[3];
+    const Point* corner_[4];
+    int count_;
     bool in_line_;
 };
 
@@ -172,6 +171,28 @@ IndexRange clipped(int first, int last, const OctantGrid& grid) {
 
 } // namespace
 
+// Triangles are; and so are quadrangles that turn the same way at every corner: exterior angles below 180
+// degrees add up to 360. (Five could add up to 720.) Seen along an axis that the normal is not across, turns
+// keep their sign.
+bool FaceInGrid::is_convex(const Plane& plane) const {
+    if (ring_end_ != first_ring_ + 1 || end_ - corners_ > 4) return false;
+    if (corner_count() == 3) return true;
+    int axis = 0;
+    while (axis < 2 && plane.normal(axis).value() == 0) ++axis;
+    const auto along = [&](int from, int seen) -> std::int64_t {
+        const Point& a = solid_.vertices[corners_[from & 3]];
+        const Point& b = solid_.vertices[corners_[(from + 1) & 3]];
+        return b.at[seen] - a.at[seen];
+    };
+    int turns = 0;
+    for (int i = 0; i < 4; ++i) {
+        const std::int64_t turn =
+            along(i, u_of[axis]) * along(i + 1, v_of[axis]) - along(i, v_of[axis]) * along(i + 1, u_of[axis]);
+        turns += turn > 0 ? 1 : turn < 0 ? -1 : 0;
+    }
+    return turns == 4 || turns == -4;
+}
+
 // Which open intervals of the grid along an axis the face overlaps: it must reach beyond both ends.
 IndexRange FaceInGrid::overlapped(int axis) const {
     const std::int32_t corner = grid_.corner.at[axis];
@@ -190,24 +211,24 @@ IndexRange FaceInGrid::between(int axis) const {
 std::uint64_t FaceInGrid::octants_met() const {
     const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
     if (range[0].empty() || range[1].empty() || range[2].empty()) return 0;
-    if (!is_triangle()) return classified(range);
-    // A triangle between the ends of one interval along an axis has inner points in the open interval
+    const Plane plane(solid_, corners_, end_);
+    if (!is_convex(plane)) return classified(range);
+    // A convex face between the ends of one interval along an axis has inner points in the open interval
     // wherever it has any: it meets what it is seen to meet along that axis. Between two such pairs it meets
     // all in the range.
     const bool within[3] = {is_within(0, range[0]), is_within(1, range[1]), is_within(2, range[2])};
     const std::uint64_t all = octants_in(range);
     if ((within[0] ? 1 : 0) + (within[1] ? 1 : 0) + (within[2] ? 1 : 0) > 1) return all;
-    const Plane plane(solid_, corners_, end_);
     const Point first = grid_.at(range[0].first, range[1].first, range[2].first);
     const auto seen = [&](auto view) { return view.met(grid_, range, first); };
-    if (within[0]) return all & behind_x(seen(SeenTriangle<axis_x>(solid_, corners_, plane)));
-    if (within[1]) return all & behind_y(seen(SeenTriangle<axis_y>(solid_, corners_, plane)));
-    if (within[2]) return all & behind_z(seen(SeenTriangle<axis_z>(solid_, corners_, plane)));
-    // The separating axes of a box and a triangle: the box's own are the ranges; those across an edge are the
-    // squares' as seen along each axis; and the plane.
-    std::uint64_t set = behind_x(seen(SeenTriangle<axis_x>(solid_, corners_, plane)));
-    set &= behind_y(seen(SeenTriangle<axis_y>(solid_, corners_, plane)));
-    set &= behind_z(seen(SeenTriangle<axis_z>(solid_, corners_, plane)));
+    if (within[0]) return all & behind_x(seen(SeenFace<axis_x>(solid_, corners_, corner_count(), plane)));
+    if (within[1]) return all & behind_y(seen(SeenFace<axis_y>(solid_, corners_, corner_count(), plane)));
+    if (within[2]) return all & behind_z(seen(SeenFace<axis_z>(solid_, corners_, corner_count(), plane)));
+    // The separating axes of a box and a convex face: the box's own are the ranges; those across an edge are
+    // the squares' as seen along each axis; and the plane.
+    std::uint64_t set = behind_x(seen(SeenFace<axis_x>(solid_, corners_, corner_count(), plane)));
+    set &= behind_y(seen(SeenFace<axis_y>(solid_, corners_, corner_count(), plane)));
+    set &= behind_z(seen(SeenFace<axis_z>(solid_, corners_, corner_count(), plane)));
     set &= all;
     return set == 0 || plane.is_null() ? set : passed(plane, grid_, set);
 }
@@ -244,8 +265,8 @@ GridRays FaceInGrid::rays() const {
 void FaceInGrid::add_crossings(WindingLanes& windings) const {
     const GridRays rays = this->rays();
     if (rays.none()) return;
-    if (!is_triangle()) return add_ray_by_ray(rays, windings);
     const Plane plane(solid_, corners_, end_);
+    if (!is_convex(plane)) return add_ray_by_ray(rays, windings);
     add_along<axis_x>(plane, rays.seen[0], windings);
     add_along<axis_y>(plane, rays.seen[1], windings);
     add_along<axis_z>(plane, rays.seen[2], windings);
@@ -258,7 +279,7 @@ void FaceInGrid::add_along(const Plane& plane, const Squares& seen, WindingLanes
     index[u_of[axis]] = seen.u.first;
     index[v_of[axis]] = seen.v.first;
     const Point first = grid_.reference(index[0], index[1], index[2]);
-    unsigned through = SeenTriangle<axis>(solid_, corners_, plane).holding(grid_, seen, first);
+    unsigned through = SeenFace<axis>(solid_, corners_, corner_count(), plane).holding(grid_, seen, first);
     if (through == 0) return;
     const Sides sides(plane, grid_);
     std::uint64_t behind = 0;

@@ -26,8 +26,8 @@ class FaceInGrid {
     /// octants side by side that no face meets are on the same side of the surface.
     bool is_level() const;
 
-    /// The octants of the grid that it meets: as classify of each. Cost for other faces than triangles: a
-    /// classification of each octant that the face's bounding box overlaps.
+    /// The octants of the grid that it meets: as classify of each. Cost unless it is a triangle or a convex
+    /// quadrangle: a classification of each octant that the face's bounding box overlaps.
     std::uint64_t octants_met() const;
 
     /// Adds what it adds to the winding number on the way from the reference point of the grid's corner
@@ -35,7 +35,8 @@ class FaceInGrid {
     void add_crossings(WindingLanes& windings) const;
 
   private:
-    bool is_triangle() const { return ring_end_ == first_ring_ + 1 && end_ - corners_ == 3; }
+    int corner_count() const { return static_cast<int>(end_ - corners_); }
+    bool is_convex(const Plane& plane) const;
     IndexRange overlapped(int axis) const;
     bool is_within(int axis, const IndexRange& range) const;
     IndexRange between(int axis) const;
