@@ -30,7 +30,7 @@ void add_depths(Digest& digest, const Solid& solid, LeafRule leaves, int greates
 // A grid conversion with its scratch, which is less than for certain would be enough.
 struct GridRun {
     GridConversion job;
-    std::uint32_t words[300];
+    std::uint32_t words[270];
 };
 
 void add_grid_depths(Digest& digest, const Solid& solid, const ConvertOptions& deepest) {
@@ -38,7 +38,7 @@ void add_grid_depths(Digest& digest, const Solid& solid, const ConvertOptions& d
     ConvertOptions options = deepest;
     for (options.depth = 1; options.depth <= deepest.depth; ++options.depth) {
         pool.roll_back(0);
-        add(digest, convert(run.job, CheckedSolid::vouched(solid), options, run.words, 300, &pool));
+        add(digest, convert(run.job, CheckedSolid::vouched(solid), options, run.words, 270, &pool));
         digest.add(run.job.grids_visited());
         digest.add(run.job.scratch_used());
     }

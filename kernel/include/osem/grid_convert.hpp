@@ -97,6 +97,7 @@ class GridConversion {
     bool started_ = false;
     bool overflowed_ = false;
     Frame frames_[nested_grids(max_depth) - 1] = {};
+    std::uint64_t lanes_[32] = {}; ///< winding numbers being added up, a bit of all 64 each
     TreeBuilder builder_;
 };
 

@@ -23,8 +23,21 @@ Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box);
 
 /// Brings the faces of the list's first `count` that meet a box to its front and says how many they are. Adds
 /// up what each stage decided. Cost: a classification a face.
-std::uint32_t select_faces(const Solid& solid, const Box& box, std::uint32_t* list, std::uint32_t count,
-                           StageCounts& stages);
+inline std::uint32_t select_faces(const Solid& solid, const Box& box, std::uint32_t* list,
+                                  std::uint32_t count, StageCounts& stages) {
+    std::uint32_t met = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t face = list[i];
+        const Decision decision = classify_box(solid, face, box);
+        const int stage = static_cast<int>(decision.stage);
+        ++(decision.meets ? stages.accepted : stages.rejected)[stage];
+        if (decision.meets) {
+            list[i] = list[met];
+            list[met++] = face;
+        }
+    }
+    return met;
+}
 
 } // namespace osem
 

@@ -32,12 +32,10 @@ struct GridList {
         return met;
     }
 
-    WindingLanes windings(const OctantGrid& grid, std::int32_t winding) const {
-        WindingLanes windings(winding);
+    void add_crossings(const OctantGrid& grid, WindingLanes& windings) const {
         for (const std::uint32_t* entry = first; entry != end; entry += entry_words) {
             FaceInGrid(solid, *entry, grid).add_crossings(windings);
         }
-        return windings;
     }
 
     // The octants inside among those that no face meets, when no face is level: one winding number for each
@@ -201,7 +199,9 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
     const bool last = grids_ + 1 == nested_grids(options_.depth);
     const GridList list = {solid_, scratch_ + first, scratch_ + first + entry_words * faces};
     if (last && options_.leaves == LeafRule::centre) {
-        const std::uint64_t black = in_morton_order(list.windings(grid, winding).inside(options_.winding));
+        WindingLanes windings(lanes_, winding);
+        list.add_crossings(grid, windings);
+        const std::uint64_t black = in_morton_order(windings.inside(options_.winding));
         set_leaves(black, black, 0, whole);
         return close();
     }
@@ -213,7 +213,8 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
         set_leaves(inside | in_morton_order(met), inside, 0, whole);
         return close();
     }
-    const WindingLanes windings = list.windings(grid, winding);
+    WindingLanes windings(lanes_, winding);
+    list.add_crossings(grid, windings);
     const std::uint64_t open = in_morton_order(met);
     const std::uint64_t inside = in_morton_order(windings.inside(options_.winding) & ~met);
     if (last || open == 0) {

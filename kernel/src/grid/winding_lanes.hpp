@@ -13,13 +13,17 @@ namespace osem {
 /// have outgrown them. Every number stays in 32 bits, as sums of crossings do.
 class WindingLanes {
   public:
+    /// Words that they may need; the caller's, so that no stack holds them.
+    static constexpr unsigned most_words = 32;
+
     /// All 64 are `start`.
-    explicit WindingLanes(std::int32_t start) {
+    WindingLanes(std::uint64_t (&words)[most_words], std::int32_t start) : word_(words) {
         const std::uint32_t size =
             start < 0 ? ~static_cast<std::uint32_t>(start) : static_cast<std::uint32_t>(start);
         while ((size >> (words_ - 1)) != 0) ++words_;
-        for (unsigned b = 0; b < words_; ++b)
+        for (unsigned b = 0; b < words_; ++b) {
             word_[b] = (static_cast<std::uint32_t>(start) >> b & 1U) != 0 ? ~std::uint64_t{0} : 0;
+        }
         room_ = (std::uint32_t{1} << (words_ - 1)) - 1 - size;
     }
 
@@ -53,7 +57,7 @@ class WindingLanes {
 
   private:
     void widen() {
-        if (words_ == 32) {
+        if (words_ == most_words) {
             room_ = UINT32_MAX;
             return;
         }
@@ -64,7 +68,7 @@ class WindingLanes {
 
     unsigned words_ = 1;
     std::uint32_t room_ = 0; ///< additions until a sum could outgrow the words
-    std::uint64_t word_[32];
+    std::uint64_t* word_;
 };
 
 } // namespace osem
