@@ -37,9 +37,9 @@ BitGrid bits_of(const Octree& tree, int depth) {
 }
 
 // Ends the program unless the centre tree, the runs and the bits are one set of cells; returns their number.
-std::uint64_t agreed_cells(const BenchSolid& solid, int depth, const std::string& what) {
-    OsemConversion conversion(solid, depth, LeafRule::centre);
-    const Octree tree = conversion.run();
+std::uint64_t agreed_cells(const std::string& name, int depth, const std::string& what) {
+    const BenchSolid& solid = solid_of(name);
+    const Octree& tree = conversion_of(name, depth, LeafRule::centre).tree();
     const Measures measures = measure(tree);
     require(measures.boundary_leaves == 0, what + ": the centre tree has boundary leaves");
     Scanline scanline;
@@ -57,10 +57,8 @@ std::uint64_t agreed_cells(const BenchSolid& solid, int depth, const std::string
 
 Agreement agree(const std::string& name, int depth) {
     const std::string what = name + " at depth " + std::to_string(depth);
-    const BenchSolid& solid = solid_of(name);
-    const std::uint64_t cells = agreed_cells(solid, depth, what);
-    OsemConversion conversion(solid, depth, LeafRule::conservative);
-    const Measures measures = measure(conversion.run());
+    const std::uint64_t cells = agreed_cells(name, depth, what);
+    const Measures measures = measure(conversion_of(name, depth, LeafRule::conservative).tree());
     const std::uint64_t inner = measures.inner_volume / volume_at(depth);
     const std::uint64_t outer = measures.outer_volume / volume_at(depth);
     require(inner <= cells && cells <= outer,

@@ -1,5 +1,7 @@
 #include "bench/osem_conversion.hpp"
 
+#include <map>
+
 #include "bench/agreement.hpp"
 
 namespace osem::bench {
@@ -12,15 +14,30 @@ OsemConversion::OsemConversion(const BenchSolid& solid, int depth, LeafRule leav
     require(counted.status == Status::ok, describe(counted.status));
     nodes_ = counted.nodes_needed;
     pool_ = std::make_unique<host::HostPool>(nodes_);
+    run();
 }
 
-Octree OsemConversion::run() {
+void OsemConversion::run() {
     pool_->pool().roll_back(0);
     const auto scratch_size = static_cast<std::uint32_t>(scratch_.size());
     const TreeOutcome outcome =
         convert(*job_, solid_, options_, scratch_.data(), scratch_size, &pool_->pool());
     require(outcome.status == Status::ok, describe(outcome.status));
-    return outcome.tree;
+    tree_ = outcome.tree;
+}
+
+OsemConversion& conversion_of(const std::string& solid, int depth, LeafRule leaves) {
+    struct Made {
+        std::string solid;
+        int depth = 0;
+        std::unique_ptr<OsemConversion> conversion;
+    };
+    static std::map<LeafRule, Made> known;
+    Made& made = known[leaves];
+    if (made.solid != solid || made.depth != depth) {
+        made = Made{solid, depth, std::make_unique<OsemConversion>(solid_of(solid), depth, leaves)};
+    }
+    return *made.conversion;
 }
 
 } // namespace osem::bench

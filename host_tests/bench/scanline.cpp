@@ -55,8 +55,9 @@ std::uint16_t* write_runs(std::uint16_t* code, std::uint16_t* end, std::uint16_t
 
 std::uint64_t RunGrid::cells() const {
     std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < boundaries.size(); i += 2)
+    for (std::size_t i = 0; i < boundaries.size(); i += 2) {
         sum += boundaries[i + 1] - std::uint64_t{boundaries[i]};
+    }
     return sum;
 }
 

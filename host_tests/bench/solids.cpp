@@ -104,8 +104,8 @@ void add_face(host::Mesh& mesh, std::initializer_list<std::uint32_t> corners) {
 // An octahedron and a cube that overlap, in lattice units. Vertices, edges and faces pass through cells'
 // centres at 256 cells along an axis.
 host::Mesh ties() {
-    constexpr double middle = root_side / 2 + root_side / 512;
-    constexpr double radius = root_side / 4;
+    constexpr double middle = root_side / 2.0 + root_side / 512.0;
+    constexpr double radius = root_side / 4.0;
     host::Mesh mesh;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const double offset : {-radius, radius}) {
