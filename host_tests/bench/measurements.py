@@ -48,5 +48,6 @@ class Measurements:
                 f"{self._context['date'][:10]}")
 
     def as_list(self):
-        return [{"theme": key[0], "solid": key[1], "cells": key[2], "method": key[3], "ms": one.ms, **one.counters}
+        """As dictionaries; `side` is in cells, whereas the counter `cells` says how many are inside."""
+        return [{"theme": key[0], "solid": key[1], "side": key[2], "method": key[3], "ms": one.ms, **one.counters}
                 for key, one in self._found.items()]

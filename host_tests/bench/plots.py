@@ -35,7 +35,7 @@ def by_faces(axes, found, prefix, title):
 
 
 def booleans(axes, found):
-    bars = [(one["method"], one["ms"]) for one in found.as_list() if one["theme"] == "union" and one["cells"] == 1024]
+    bars = [(one["method"], one["ms"]) for one in found.as_list() if one["theme"] == "union" and one["side"] == 1024]
     axes.barh([method for method, _ in bars], [ms for _, ms in bars], log=True)
     axes.set(title="Union of two trees at 1024", xlabel="ms")
 
