@@ -11,117 +11,97 @@ namespace {
 constexpr int u_of[3] = {1, 0, 0}; // what is seen along an axis: the other two in ascending order
 constexpr int v_of[3] = {2, 2, 1};
 
-// An edge seen along an axis, as the function that is 0 on its line and below 0 to its left. Its values in
-// the root are below 2^42.
-struct SeenEdge {
-    std::int64_t u; ///< how much it grows by a unit along u
-    std::int64_t v;
-    std::int64_t value; ///< at the corner of the first square
-
-    SeenEdge(const Point& a, const Point& b, int axis, const Point& corner)
-        : u(b.at[v_of[axis]] - a.at[v_of[axis]]), v(a.at[u_of[axis]] - b.at[u_of[axis]]),
-          value(u * (corner.at[u_of[axis]] - a.at[u_of[axis]]) +
-                v * (corner.at[v_of[axis]] - a.at[v_of[axis]])) {}
-
-    bool is_null() const { return u == 0 && v == 0; }
-
-    // The squares that reach to the edge's left.
-    unsigned reaching(const OctantGrid& grid, const Squares& squares) const {
-        const std::int64_t step_u = scaled(u, grid.shift);
-        const std::int64_t step_v = scaled(v, grid.shift);
-        const std::int64_t least = value + (step_u < 0 ? step_u : 0) + (step_v < 0 ? step_v : 0);
-        return SquareFunction{least, step_u, step_v}.below(squares);
-    }
-
-    // The squares whose reference point is to the edge's left; the corner is a reference point.
-    unsigned holding(const OctantGrid& grid, const Squares& squares) const {
-        const bool moves_left = u < 0 || (u == 0 && v < 0);
-        return SquareFunction{value - (moves_left ? 1 : 0), scaled(u, grid.shift), scaled(v, grid.shift)}
-            .below(squares);
-    }
-};
-
-// A convex face as seen along an axis: its edges run counter-clockwise, or all in one line.
-template <Axis axis>
-class SeenFace {
+// The edge from a to b of a convex face, and a grid, as seen along an axis: the function that is 0 on the
+// edge's line and below 0 to its left. To the left or to the right, as `inside` says (1 or -1), lies the
+// face.
+class SeenEdge {
   public:
-    SeenFace(const Solid& solid, const std::uint32_t* corners, int count, const Plane& plane)
-        : count_(count), in_line_(plane.normal(axis).value() == 0) {
-        // (x, z) is left-handed as seen along y.
-        const bool forward = (plane.normal(axis).sign() < 0) == (axis == axis_y);
-        for (int i = 0; i < count; ++i) corner_[i] = &solid.vertices[corners[forward ? i : count - 1 - i]];
+    SeenEdge(const Point& a, const Point& b, const Point& origin) {
+        for (int axis = 0; axis < 3; ++axis) {
+            way_[axis] = b.at[axis] - a.at[axis];
+            from_[axis] = origin.at[axis] - a.at[axis];
+        }
     }
 
-    // The squares that it meets, of those that its bounding rectangle meets; `first` is the corner of the
-    // first one.
-    unsigned met(const OctantGrid& grid, const IndexRange (&range)[3], const Point& first) const {
-        const Squares squares = {range[u_of[axis]], range[v_of[axis]]};
-        unsigned set = squares.all();
-        for (int i = 0; i < count_ && set != 0; ++i) {
-            const Point& a = *corner_[i];
-            const Point& b = *corner_[i + 1 == count_ ? 0 : i + 1];
-            const SeenEdge edge(a, b, axis, first);
-            if (edge.is_null()) continue; // a null axis separates nothing
-            set &= edge.reaching(grid, squares);
-            if (in_line_) set &= SeenEdge(b, a, axis, first).reaching(grid, squares);
-        }
-        return set;
+    bool is_seen(int axis) const { return way_[u_of[axis]] != 0 || way_[v_of[axis]] != 0; }
+
+    // The squares that reach to the face's side of the edge; the origin is the grid's corner.
+    unsigned reaching(int axis, int inside, int shift, const Squares& squares) const {
+        SquareFunction function = seen(axis, inside, shift, 0);
+        function.value +=
+            (function.step_u < 0 ? function.step_u : 0) + (function.step_v < 0 ? function.step_v : 0);
+        return function.below(squares);
     }
 
-    // Those whose reference point it holds, of which `first` is the first one. Precondition: it is not in one
-    // line.
-    unsigned holding(const OctantGrid& grid, const Squares& squares, const Point& first) const {
-        unsigned set = squares.all();
-        for (int i = 0; i < count_ && set != 0; ++i) {
-            set &= SeenEdge(*corner_[i], *corner_[i + 1 == count_ ? 0 : i + 1], axis, first)
-                       .holding(grid, squares);
-        }
-        return set;
+    // The squares whose reference point lies there; the origin is the first one, which is moved by (e, e^2).
+    unsigned holding(int axis, int inside, int shift, const Squares& squares) const {
+        const std::int32_t u = inside * way_[v_of[axis]];
+        const std::int32_t v = -inside * way_[u_of[axis]];
+        return seen(axis, inside, shift, u < 0 || (u == 0 && v < 0) ? 1 : 0).below(squares);
     }
 
   private:
-    const Point* corner_[4];
-    int count_;
-    bool in_line_;
+    // Products of differences of vertices: below 2^42. Steps are 2^20 at most and no square is five of them
+    // away along either axis, so a value that is 2^24 or more keeps its sign and may be clipped.
+    SquareFunction seen(int axis, int inside, int shift, int tie) const {
+        constexpr std::int64_t most = std::int64_t{1} << 24;
+        const int u = u_of[axis];
+        const int v = v_of[axis];
+        const std::int64_t exact = std::int64_t{way_[v]} * from_[u] - std::int64_t{way_[u]} * from_[v];
+        const std::int64_t value = ((inside < 0 ? -exact : exact) - tie) >> shift;
+        return {static_cast<std::int32_t>(value > most    ? most
+                                          : value < -most ? -most
+                                                          : value),
+                inside * way_[v], -inside * way_[u]};
+    }
+
+    std::int32_t way_[3];
+    std::int32_t from_[3];
 };
+
+// On which side of its edges a face lies as seen along an axis, the edges running as its corners: 1 for the
+// left, -1 for the right, 0 when they are all in one line. (x, z) is left-handed as seen along y.
+int inside_of(const Plane& plane, int axis) {
+    const int sign = plane.normal(axis).sign();
+    return axis == axis_y ? -sign : sign;
+}
 
 // Those of a set of octants through which a plane passes.
 std::uint64_t passed(const Plane& plane, const OctantGrid& grid, std::uint64_t set) {
+    const std::int64_t value = plane.at(grid.corner).value();
+    std::int64_t least = value >> grid.shift;       // of an octant: below 0 when the plane is above it
+    std::int64_t greatest = (-value) >> grid.shift; // turned: below 0 when the plane is below it
     std::int64_t step[3];
-    std::int64_t least = plane.at(grid.corner).value();
-    std::int64_t greatest = least;
     for (int axis = 0; axis < 3; ++axis) {
-        step[axis] = scaled(plane.normal(axis).value(), grid.shift);
-        (step[axis] < 0 ? least : greatest) += step[axis];
+        step[axis] = plane.normal(axis).value();
+        (step[axis] < 0 ? least : greatest) += step[axis] < 0 ? step[axis] : -step[axis];
     }
     std::uint64_t result = 0;
     for (unsigned row = 0; row < 16; ++row) {
         const unsigned octants = static_cast<unsigned>(set >> (4 * row)) & 15U;
         if (octants != 0) {
-            const unsigned met = below_zero(least, step[0]) & below_zero(-greatest, -step[0]);
+            const unsigned met = below_zero(least, step[0]) & below_zero(greatest, -step[0]);
             result |= std::uint64_t{octants & met} << (4 * row);
         }
         const std::int64_t next = (row & 3U) != 3 ? step[1] : step[2] - 3 * step[1];
         least += next;
-        greatest += next;
+        greatest -= next;
     }
     return result;
 }
 
-// On which side of a face's plane the reference points of a grid lie. A value is that of the plane at a
-// lattice point at most 5/4 of the root's side from the root's corner along one axis (5/2 in a grid of eight
-// octants) and within the root along the others. The components of the normal are 2^41 at most each and 2^42
-// together (a determinant of numbers up to 1 is at most 4), so values are below 7 * 2^60.
+// On which side of a face's plane the reference points of a grid lie. The value at the first is below 2^63
+// for it lies in the root. Divided by the octants' side it leaves room for the steps, unless the side is 1:
+// then all 64 and the one step too far that is taken lie in the root or one unit from it.
 class Sides {
   public:
     Sides(const Plane& plane, const OctantGrid& grid) {
         std::int64_t tie = 0; // what decides on the plane: the first component of the normal that is not 0
         for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t component = plane.normal(axis).value();
-            step_[axis] = scaled(component, grid.shift);
-            if (tie == 0) tie = component;
+            step_[axis] = plane.normal(axis).value();
+            if (tie == 0) tie = step_[axis];
         }
-        value_ = plane.at(grid.reference(0, 0, 0)).value() - (tie < 0 ? 1 : 0);
+        value_ = (plane.at(grid.reference(0, 0, 0)).value() - (tie < 0 ? 1 : 0)) >> grid.shift;
     }
 
     // The reference points behind the plane on a ray along an axis: those on another side than the ray's
@@ -216,21 +196,39 @@ std::uint64_t FaceInGrid::octants_met() const {
     // A convex face between the ends of one interval along an axis has inner points in the open interval
     // wherever it has any: it meets what it is seen to meet along that axis. Between two such pairs it meets
     // all in the range.
-    const bool within[3] = {is_within(0, range[0]), is_within(1, range[1]), is_within(2, range[2])};
-    const std::uint64_t all = octants_in(range);
-    if ((within[0] ? 1 : 0) + (within[1] ? 1 : 0) + (within[2] ? 1 : 0) > 1) return all;
-    const Point first = grid_.at(range[0].first, range[1].first, range[2].first);
-    const auto seen = [&](auto view) { return view.met(grid_, range, first); };
-    if (within[0]) return all & behind_x(seen(SeenFace<axis_x>(solid_, corners_, corner_count(), plane)));
-    if (within[1]) return all & behind_y(seen(SeenFace<axis_y>(solid_, corners_, corner_count(), plane)));
-    if (within[2]) return all & behind_z(seen(SeenFace<axis_z>(solid_, corners_, corner_count(), plane)));
+    int first_axis = 0;
+    int end_axis = 3;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!is_within(axis, range[axis])) continue;
+        if (end_axis - first_axis == 1) return octants_in(range);
+        first_axis = axis;
+        end_axis = axis + 1;
+    }
     // The separating axes of a box and a convex face: the box's own are the ranges; those across an edge are
     // the squares' as seen along each axis; and the plane.
-    std::uint64_t set = behind_x(seen(SeenFace<axis_x>(solid_, corners_, corner_count(), plane)));
-    set &= behind_y(seen(SeenFace<axis_y>(solid_, corners_, corner_count(), plane)));
-    set &= behind_z(seen(SeenFace<axis_z>(solid_, corners_, corner_count(), plane)));
-    set &= all;
-    return set == 0 || plane.is_null() ? set : passed(plane, grid_, set);
+    unsigned met[3] = {0xffff, 0xffff, 0xffff};
+    cut_squares(plane, range, first_axis, end_axis, met);
+    const std::uint64_t set =
+        octants_in(range) & behind_x(met[axis_x]) & behind_y(met[axis_y]) & behind_z(met[axis_z]);
+    return end_axis - first_axis == 1 || set == 0 || plane.is_null() ? set : passed(plane, grid_, set);
+}
+
+// Takes from the squares seen along some axes those that the face is not seen to meet.
+void FaceInGrid::cut_squares(const Plane& plane, const IndexRange (&range)[3], int first_axis, int end_axis,
+                             unsigned (&met)[3]) const {
+    const Point* a = &solid_.vertices[end_[-1]];
+    for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {
+        const Point* b = &solid_.vertices[*corner];
+        const SeenEdge edge(*a, *b, grid_.corner);
+        a = b;
+        for (int axis = first_axis; axis < end_axis; ++axis) {
+            if (!edge.is_seen(axis)) continue; // a null axis separates nothing
+            const Squares squares = {range[u_of[axis]], range[v_of[axis]]};
+            const int inside = inside_of(plane, axis);
+            if (inside >= 0) met[axis] &= edge.reaching(axis, 1, grid_.shift, squares);
+            if (inside <= 0) met[axis] &= edge.reaching(axis, -1, grid_.shift, squares);
+        }
+    }
 }
 
 // Whether the face lies between the ends of the only interval in a range along an axis.
@@ -267,19 +265,21 @@ void FaceInGrid::add_crossings(WindingLanes& windings) const {
     if (rays.none()) return;
     const Plane plane(solid_, corners_, end_);
     if (!is_convex(plane)) return add_ray_by_ray(rays, windings);
-    add_along<axis_x>(plane, rays.seen[0], windings);
-    add_along<axis_y>(plane, rays.seen[1], windings);
-    add_along<axis_z>(plane, rays.seen[2], windings);
+    for (int axis = 0; axis < 3; ++axis) add_along(axis, plane, rays.seen[axis], windings);
 }
 
-template <Axis axis>
-void FaceInGrid::add_along(const Plane& plane, const Squares& seen, WindingLanes& windings) const {
-    if (seen.empty() || plane.normal(axis).value() == 0) return;
-    int index[3] = {0, 0, 0};
-    index[u_of[axis]] = seen.u.first;
-    index[v_of[axis]] = seen.v.first;
-    const Point first = grid_.reference(index[0], index[1], index[2]);
-    unsigned through = SeenFace<axis>(solid_, corners_, corner_count(), plane).holding(grid_, seen, first);
+void FaceInGrid::add_along(int axis, const Plane& plane, const Squares& squares,
+                           WindingLanes& windings) const {
+    const int inside = inside_of(plane, axis);
+    if (squares.empty() || inside == 0) return;
+    unsigned through = squares.all();
+    const Point first = grid_.reference(0, 0, 0);
+    const Point* a = &solid_.vertices[end_[-1]];
+    for (const std::uint32_t* corner = corners_; corner != end_ && through != 0; ++corner) {
+        const Point* b = &solid_.vertices[*corner];
+        through &= SeenEdge(*a, *b, first).holding(axis, inside, grid_.shift, squares);
+        a = b;
+    }
     if (through == 0) return;
     const Sides sides(plane, grid_);
     std::uint64_t behind = 0;

@@ -42,8 +42,9 @@ class FaceInGrid {
     IndexRange between(int axis) const;
     GridRays rays() const;
     std::uint64_t classified(const IndexRange (&range)[3]) const;
-    template <Axis axis>
-    void add_along(const Plane& plane, const Squares& seen, WindingLanes& windings) const;
+    void cut_squares(const Plane& plane, const IndexRange (&range)[3], int first_axis, int end_axis,
+                     unsigned (&met)[3]) const;
+    void add_along(int axis, const Plane& plane, const Squares& squares, WindingLanes& windings) const;
     void add_ray_by_ray(const GridRays& rays, WindingLanes& windings) const;
 
     const Solid& solid_;
