@@ -8,8 +8,10 @@ namespace osem {
 
 PointOutcome leaf_at(const Octree& tree, const Point& cell) {
     PointOutcome outcome = {Status::point_off_root, Leaf{root_octant, Colour::white}, 0};
-    for (const std::int32_t coordinate : cell.at) {
-        if (coordinate >= 0 && coordinate < root_side) continue;
+    const auto x = static_cast<std::uint32_t>(cell.x());
+    const auto y = static_cast<std::uint32_t>(cell.y());
+    const auto z = static_cast<std::uint32_t>(cell.z());
+    if ((x | y | z) >> lattice_bits != 0) {     // a negative coordinate has high bits too
         outcome.leaf.colour = Colour::boundary; // whoever forgets the status errs on the safe side
         return outcome;
     }
@@ -19,19 +21,17 @@ PointOutcome leaf_at(const Octree& tree, const Point& cell) {
     leaf.colour = node->colour(0);
     outcome.visited = 1;
     if (node->is_uniform()) return outcome;
-    for (;; ++outcome.visited) {
-        const std::int32_t half = leaf.octant.side() / 2;
-        unsigned child = 0;
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            const std::int32_t bit = cell.at[axis] & half;
-            leaf.octant.corner.at[axis] |= bit;
-            if (bit != 0) child |= 1U << axis;
-        }
-        ++leaf.octant.level;
-        leaf.colour = node->colour(child);
-        if (leaf.colour != Colour::grey) break;
+    unsigned shift = lattice_bits - 1; // of the coordinates' bits that name the child
+    unsigned child = 0;
+    for (;; --shift) {
+        child = (x >> shift & 1U) | (y >> shift & 1U) << 1 | (z >> shift & 1U) << 2;
+        if (!contains(node->grey(), child)) break;
         node = &tree.pool->child(*node, child);
     }
+    leaf.colour = node->colour(child);
+    leaf.octant.level = static_cast<std::uint8_t>(lattice_bits - shift);
+    for (unsigned axis = 0; axis < 3; ++axis) leaf.octant.corner.at[axis] = cell.at[axis] >> shift << shift;
+    outcome.visited = leaf.octant.level;
     return outcome;
 }
 
