@@ -76,10 +76,11 @@ struct OSEM_OF_INDEX_WIDTH Node {
 
 static_assert(sizeof(Node) == (OSEM_NODE_INDEX_BITS == 32 ? 6 : 4), "nodes are packed");
 
-/// Number of bits set in a mask of children: four copies of it, nine bits apart, have each of its bits at the
-/// foot of a nibble once; a second product adds up the nibbles.
+/// Number of bits set in a mask of children.
 constexpr unsigned count_bits(std::uint8_t mask) {
-    return (mask * UINT32_C(0x08040201) >> 3 & UINT32_C(0x11111111)) * UINT32_C(0x11111111) >> 28;
+    const unsigned pairs = mask - ((mask >> 1) & 0x55U);
+    const unsigned nibbles = (pairs & 0x33U) + ((pairs >> 2) & 0x33U);
+    return (nibbles + (nibbles >> 4)) & 0x0fU;
 }
 
 /// A pool of nodes over memory of the caller. It only grows, so a node once written is never changed:
