@@ -1,5 +1,5 @@
 // Whole conversions, and solids that check must refuse.
-#include "osem/convert.hpp"
+#include "osem/grid_convert.hpp"
 
 #include "records.hpp"
 #include "topics.hpp"
@@ -79,6 +79,25 @@ void replay_round_trip(Arena& arena, Report& report, const Octree& tree, LeafRul
     report.expect("same leaves as the stream", 1, same_leaves(tree, outcome.built.tree) ? 1 : 0);
 }
 
+// By grids, where there is room for them, the tree is the same.
+void replay_by_grids(Arena& arena, Report& report, const Solid& solid, const ConvertOptions& options,
+                     const Octree& same) {
+    const ArenaScope scope(arena);
+    const std::uint32_t nodes = same.pool->used();
+    Node* const memory = take_nodes(arena, nodes);
+    auto* const job = arena.take<GridConversion>(1);
+    const auto words = static_cast<std::uint32_t>(grid_scratch(solid, options.depth));
+    auto* const scratch = arena.take<std::uint32_t>(words);
+    if (memory == nullptr || job == nullptr || scratch == nullptr) return;
+    NodePool pool(memory, nodes);
+    const TreeOutcome outcome = convert(*job, CheckedSolid::vouched(solid), options, scratch, words, &pool);
+    if (!report.expect("status by grids", static_cast<int>(Status::ok), static_cast<int>(outcome.status))) {
+        return;
+    }
+    report.expect("nodes by grids", nodes, pool.used());
+    report.expect("same leaves by grids", 1, same_leaves(same, outcome.tree) ? 1 : 0);
+}
+
 void replay_job(Reader& reader, Arena& arena, Report& report, const Solid& solid, Status checked) {
     const ConvertOptions options = read_options(reader);
     const TreeTruth truth = read_tree_truth(reader);
@@ -101,6 +120,7 @@ void replay_job(Reader& reader, Arena& arena, Report& report, const Solid& solid
     }
     compare_tree(reader, report, truth, outcome.tree, options.leaves);
     replay_round_trip(arena, report, outcome.tree, options.leaves);
+    replay_by_grids(arena, report, solid, options, outcome.tree);
 }
 
 } // namespace

@@ -61,6 +61,7 @@ bool take_work(Arena& arena, std::uint8_t level, Work& work) {
     for (unsigned i = 0; i < 3; ++i) {
         work.bitmaps[i].buffer = arena.take<std::uint8_t>(slice_buffer(level, all_bits[i]));
         if (work.bitmaps[i].buffer == nullptr) return false;
+        work.bitmaps[i].taken = {-1, 0};
     }
     return true;
 }
@@ -154,6 +155,10 @@ void replay_slice(Reader& reader, Arena& arena, Report& report, const Octree& tr
     }
     report.expect("status at the end", static_cast<int>(Status::ok),
                   static_cast<int>(work.slicing->finish().status));
+    for (unsigned i = 0; i < 3; ++i) {
+        report.expect("status at a bitmap's end", static_cast<int>(Status::ok),
+                      static_cast<int>(work.bitmaps[i].job.finish().status));
+    }
 }
 
 } // namespace

@@ -155,7 +155,13 @@ void replay_part(Reader& reader, Arena& arena, Report& report, const Octree& tre
     const BoundaryOutcome built = run(*job, tree, part, scratch, size);
     report.expect("status of a count", static_cast<int>(Status::ok), static_cast<int>(counted.status));
     report.expect("double edges", 0, built.double_edges);
-    report.expect("vertices counted", counted.sizes.vertices, built.sizes.vertices);
+    // The arrays have the counted sizes.
+    const bool as_counted =
+        report.expect("vertices counted", counted.sizes.vertices, built.sizes.vertices) &&
+        report.expect("corners counted", counted.sizes.corners, built.sizes.corners) &&
+        report.expect("few enough rings", 1, built.sizes.rings <= counted.sizes.corners / 4 ? 1 : 0) &&
+        report.expect("few enough faces", 1, built.sizes.faces <= built.sizes.rings ? 1 : 0);
+    if (!as_counted) return;
     if (!report.expect("status of a surface", static_cast<int>(Status::ok), static_cast<int>(built.status))) {
         return;
     }

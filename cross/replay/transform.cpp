@@ -96,7 +96,10 @@ bool replay_transform(Reader& reader, Arena& arena, Report& report) {
     if (!planted.fits()) return false;
     {
         const ArenaScope scope(arena);
-        if (arena.take<Translation>(1) == nullptr) return false; // the largest job
+        static_assert(sizeof(Translation) >= sizeof(Reorientation) &&
+                          sizeof(Translation) >= sizeof(Coarsening),
+                      "where the largest job fits, the others do");
+        if (arena.take<Translation>(1) == nullptr) return false;
     }
     const Work work = {arena, planted.pool(), planted.tree()};
     for (std::uint8_t left = reader.u8(); left > 0; --left) replay_case(reader, report, work);

@@ -158,6 +158,11 @@ std::uint64_t conversions_by_grids() {
         for (const auto winding : {WindingRule::nonzero, WindingRule::odd, WindingRule::positive}) {
             add_grid_depths(digest, nested_shells(), ConvertOptions{4, leaves, winding});
         }
+        const int deepest = leaves == LeafRule::centre ? max_depth - 1 : max_depth;
+        const Solid soup = tetrahedra(11, Point{{root_side - 6, 0, root_side / 2 - 3}}, 6);
+        auto& run = fresh<GridRun>();
+        pool.roll_back(0);
+        add(digest, convert(run.job, CheckedSolid::vouched(soup), {deepest, leaves}, run.words, 270, &pool));
     }
     return digest.value();
 }

@@ -149,13 +149,13 @@ TEST(GridConversion, RandomTetrahedra) {
     }
 }
 
-// A sheared prism over four corners in a plane: convex, concave, crossing itself, or with corners that
+// A sheared prism over some corners in a plane: convex, concave, crossing itself, or with corners that
 // coincide. Its sides are parallelograms.
-SmallSolid prism(std::uint32_t seed, std::int32_t grain) {
+SmallSolid prism(std::size_t corners, std::uint32_t seed, std::int32_t grain) {
     std::mt19937 random(seed);
     const Point up = {{root_side / 16, -root_side / 8, root_side / 4}};
     Polygon base;
-    while (base.size() < 4) {
+    while (base.size() < corners) {
         Point p = random_point(random, grain);
         p.at[0] = p.at[0] / 2 + root_side / 4;
         p.at[1] = p.at[1] / 2 + root_side / 4;
@@ -165,24 +165,42 @@ SmallSolid prism(std::uint32_t seed, std::int32_t grain) {
     const auto lifted = [&up](const Point& p) {
         return Point{{p.x() + up.x(), p.y() + up.y(), p.z() + up.z()}};
     };
+    Polygon top;
+    for (const Point& p : base) top.push_back(lifted(p));
     SmallSolid solid;
-    solid.add_face({{base[3], base[2], base[1], base[0]}});
-    solid.add_face({{lifted(base[0]), lifted(base[1]), lifted(base[2]), lifted(base[3])}});
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Point& a = base[i];
-        const Point& b = base[(i + 1) % 4];
-        solid.add_face({{a, b, lifted(b), lifted(a)}});
+    solid.add_face({Polygon(base.rbegin(), base.rend())});
+    solid.add_face({top});
+    for (std::size_t i = 0; i < corners; ++i) {
+        const std::size_t next = (i + 1) % corners;
+        solid.add_face({{base[i], base[next], top[next], top[i]}});
     }
     return solid;
 }
 
-TEST(GridConversion, RandomQuadrangles) {
-    for (std::uint32_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        expect_same(prism(seed, 1), 3, 5);
-        expect_same(prism(seed, root_side / 4), 3, 5);
-        if (HasFatalFailure()) return;
+TEST(GridConversion, RandomPolygons) {
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        for (const std::size_t corners : {4U, 5U, 7U}) {
+            SCOPED_TRACE(testing::Message() << "seed " << seed << ", corners " << corners);
+            expect_same(prism(corners, seed, 1), 3, 5);
+            expect_same(prism(corners, seed, root_side / 4), 3, 5);
+            if (HasFatalFailure()) return;
+        }
     }
+}
+
+// Faces without area, which no other face covers: lines through many octants, and points.
+TEST(GridConversion, FacesWithoutArea) {
+    const Point a = {{100001, 200003, 300007}};
+    const Point b = {{500001, 620003, 500007}}; // half way to the end
+    const Point end = {{900001, 1040003, 700007}};
+    SmallSolid lines;
+    lines.add_face({{a, b, end}});
+    lines.add_face({{end, b, a}});
+    expect_same(lines, 1, 6);
+    SmallSolid points;
+    points.add_face({{a, a, a}});
+    points.add_face({{end, end, end}});
+    expect_same(points, 1, 6);
 }
 
 TEST(GridConversion, WindingNumbersOfManyTetrahedra) { expect_same(tetrahedra(7, root_side / 8, 300), 2, 4); }
@@ -270,6 +288,11 @@ TEST(GridConversion, Refusals) {
     for (const int depth : {-1, 0, 21}) {
         EXPECT_EQ(scratch.run(job, solid, ConvertOptions{depth}, nullptr).status, Status::depth_out_of_range);
     }
+    Words too_few(18);
+    ASSERT_EQ(too_few.run(job, solid, ConvertOptions{6}, nullptr).status, Status::scratch_too_small);
+    EXPECT_EQ(job.finish().status, Status::scratch_too_small);
+    EXPECT_EQ(too_few.begin(job, solid, ConvertOptions{0}, nullptr), Status::depth_out_of_range);
+    EXPECT_EQ(job.finish().status, Status::unfinished);
     EXPECT_EQ(scratch.run(job, solid, ConvertOptions{20, LeafRule::centre}, nullptr).status,
               Status::depth_out_of_range);
 }

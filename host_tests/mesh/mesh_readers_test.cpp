@@ -187,6 +187,12 @@ TEST(ReadObj, Refusals) {
     EXPECT_REFUSED("a.obj", head + "f 1 2 0\n", "line 5: vertex index 0 is out of range");
     EXPECT_REFUSED("a.obj", head + "f 1 2 -4\n", "line 5: vertex index -4 is out of range");
     EXPECT_REFUSED("a.obj", head + "f 1 2\n", "line 5: a face has 2 corners");
+    EXPECT_REFUSED("a.obj", head + "f 4294967297 2 3\n", "line 5: vertex index 4294967297 is out of range");
+    for (const char* corner :
+         {"1.7", "1abc", "1/x", "1/2/", "1/2/3/4", "/1", "1//", "99999999999999999999", "+1"}) {
+        EXPECT_REFUSED("a.obj", head + "f 2 3 " + corner + "\n", "line 5: a face has the corner ");
+    }
+    EXPECT_EQ(refusal("good.obj", head + "f 1/9 2//9 3/9/9\n"), "");
     EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 zero 0\n", "line 2: a vertex needs three finite numbers");
     EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 0\nv 7 7 7\n", "line 2: a vertex needs three finite numbers");
 }

@@ -72,9 +72,9 @@ TEST_F(Transforms, ScalingUpSaysWhatItDrops) {
 TEST_F(Transforms, AnOffsetBetweenTheLeavesWantsADepth) {
     const auto before = files();
     EXPECT_TRUE(failed(transform("box.osem", "no.osem", {"--translate", "0.0625,0,0"}), 2,
-                       "--depth 4 places it exactly, with about 4 times as many leaves"));
+                       "--depth 4 places it exactly, with 4 times as many leaves or more"));
     EXPECT_TRUE(failed(transform("box.osem", "no.osem", {"--translate", "0,0.00000095367431640625,0"}), 2,
-                       "--depth 20 places it exactly, with about 17179869184 times"));
+                       "--depth 20 places it exactly, with 17179869184 times"));
     EXPECT_TRUE(failed(transform("box.osem", "no.osem", {"--crop", "0,0,0,0.3125,1,1"}), 2, "--depth 4"));
     EXPECT_EQ(files(), before);
     ASSERT_TRUE(

@@ -56,7 +56,7 @@ struct Block {
 /// Outcome of a labelling.
 struct LabellingOutcome {
     TreeOutcome built;           ///< nodes_needed is 0 when the blocks did not fit
-    std::uint32_t blocks_needed; ///< words of scratch for blocks that suffice
+    std::uint32_t blocks_needed; ///< words of scratch for blocks that suffice; if unfinished those so far
     std::uint32_t components;    ///< of the blocks that no face meets
 };
 

@@ -14,7 +14,7 @@ constexpr int nested_grids(int depth) { return (depth + 1) / 2; }
 
 /// Words of scratch that are always enough: for each of the nested grids three a face, and between them 64. A
 /// grid's list holds the faces that meet its octant, so about 3.5 words a face and 64 a level are mostly
-/// enough.
+/// enough. Precondition: depth is in [1, 20].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth) {
     const auto grids = static_cast<std::uint64_t>(nested_grids(depth));
     return 3 * std::uint64_t{solid.face_count} * grids + 64 * (grids - 1);
@@ -31,7 +31,7 @@ constexpr std::uint64_t grid_scratch(const Solid& solid, int depth) {
 class GridConversion {
   public:
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
-    /// Scratch: at least solid.view().face_count entries, grid_scratch(solid.view(), depth) for certain; in
+    /// Scratch: at least 3 * solid.view().face_count words, grid_scratch(solid.view(), depth) for certain; in
     /// use until finish. A conversion that was not finished is given up first. Status: ok;
     /// depth_out_of_range; scratch_too_small for the faces. When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
@@ -39,7 +39,9 @@ class GridConversion {
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
     /// grid above, and each triangle or convex quadrangle that meets the grid's octant against its 64
-    /// octants; for other faces up to 64 classifications and 21 winding numbers each.
+    /// octants; for other faces up to 64 classifications and 21 winding numbers each. At full depth also, for
+    /// each part in which conservative octants that no face meets hang together, up to three crossing tests a
+    /// face: two parts as a rule, 32 at most.
     bool step(std::uint32_t grids);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.

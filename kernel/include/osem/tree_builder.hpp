@@ -59,7 +59,8 @@ class TreeBuilder {
     std::uint32_t nodes_counted() const { return needed_; }
 
     /// The tree, or what kept it from being. Status: ok; pool_exhausted; unfinished when the root octant is
-    /// still open or nothing was begun, in which case the pool is as it was. Precondition: depth is in [1,
+    /// still open or nothing was begun, in which case the pool is as it was, and the build is given up: asked
+    /// again it is unfinished. Precondition: depth is in [1,
     /// 20], and no leaf is deeper.
     TreeOutcome finish(int depth);
 

@@ -66,7 +66,9 @@ int inside_of(const Plane& plane, int axis) {
     return axis == axis_y ? -sign : sign;
 }
 
-// Those of a set of octants through which a plane passes.
+// Those of a set of octants through which a plane passes. The value at the grid's corner is at most
+// 3 * (2^61 + 2^41), divided by the octants' side or not; steps are 2^41 at most, and fewer than 20 are
+// taken.
 std::uint64_t passed(const Plane& plane, const OctantGrid& grid, std::uint64_t set) {
     const std::int64_t value = plane.at(grid.corner).value();
     std::int64_t least = value >> grid.shift;       // of an octant: below 0 when the plane is above it
@@ -90,9 +92,8 @@ std::uint64_t passed(const Plane& plane, const OctantGrid& grid, std::uint64_t s
     return result;
 }
 
-// On which side of a face's plane the reference points of a grid lie. The value at the first is below 2^63
-// for it lies in the root. Divided by the octants' side it leaves room for the steps, unless the side is 1:
-// then all 64 and the one step too far that is taken lie in the root or one unit from it.
+// On which side of a face's plane the reference points of a grid lie. Values are bounded
+// as in `passed`.
 class Sides {
   public:
     Sides(const Plane& plane, const OctantGrid& grid) {
@@ -139,8 +140,11 @@ FaceInGrid::FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid&
     }
 }
 
-bool FaceInGrid::is_level() const {
-    return low_.x() == high_.x() || low_.y() == high_.y() || low_.z() == high_.z();
+bool FaceInGrid::is_between_octants() const {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (low_.at[axis] == high_.at[axis] && (low_.at[axis] & (grid_.side() - 1)) == 0) return true;
+    }
+    return false;
 }
 
 namespace {
@@ -155,7 +159,7 @@ IndexRange clipped(int first, int last, const OctantGrid& grid) {
 // degrees add up to 360. (Five could add up to 720.) Seen along an axis that the normal is not across, turns
 // keep their sign.
 bool FaceInGrid::is_convex(const Plane& plane) const {
-    if (ring_end_ != first_ring_ + 1 || end_ - corners_ > 4) return false;
+    if (end_ - corners_ > 4) return false; // as those of two rings are
     if (corner_count() == 3) return true;
     int axis = 0;
     while (axis < 2 && plane.normal(axis).value() == 0) ++axis;
@@ -224,9 +228,9 @@ void FaceInGrid::cut_squares(const Plane& plane, const IndexRange (&range)[3], i
         for (int axis = first_axis; axis < end_axis; ++axis) {
             if (!edge.is_seen(axis)) continue; // a null axis separates nothing
             const Squares squares = {range[u_of[axis]], range[v_of[axis]]};
-            const int inside = inside_of(plane, axis);
-            if (inside >= 0) met[axis] &= edge.reaching(axis, 1, grid_.shift, squares);
-            if (inside <= 0) met[axis] &= edge.reaching(axis, -1, grid_.shift, squares);
+            // Of a ring seen in one line some edges run one way and some the other: both sides are looked at.
+            const int inside = inside_of(plane, axis) < 0 ? -1 : 1;
+            met[axis] &= edge.reaching(axis, inside, grid_.shift, squares);
         }
     }
 }

@@ -22,9 +22,9 @@ class FaceInGrid {
   public:
     FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid);
 
-    /// Whether it lies in a plane of constant x, y or z. If no face that meets a grid's octant is level, two
-    /// octants side by side that no face meets are on the same side of the surface.
-    bool is_level() const;
+    /// Whether it lies in a plane between octants of the grid. If no face that meets a grid's octant does,
+    /// two octants side by side that no face meets are on the same side of the surface.
+    bool is_between_octants() const;
 
     /// The octants of the grid that it meets: as classify of each. Cost unless it is a triangle or a convex
     /// quadrangle: a classification of each octant that the face's bounding box overlaps.

@@ -18,8 +18,8 @@ struct GridList {
     std::uint32_t* first;
     const std::uint32_t* end;
 
-    // Notes for every face which octants it meets; the union. Also whether some face is level.
-    std::uint64_t meet(const OctantGrid& grid, bool& level) const {
+    // Notes for every face which octants it meets; the union. Also whether some face lies between octants.
+    std::uint64_t meet(const OctantGrid& grid, bool& walls) const {
         std::uint64_t met = 0;
         for (std::uint32_t* entry = first; entry != end; entry += entry_words) {
             const FaceInGrid face(solid, *entry, grid);
@@ -27,7 +27,7 @@ struct GridList {
             entry[1] = static_cast<std::uint32_t>(octants);
             entry[2] = static_cast<std::uint32_t>(octants >> 32);
             met |= octants;
-            level = level || face.is_level();
+            walls = walls || face.is_between_octants();
         }
         return met;
     }
@@ -38,8 +38,8 @@ struct GridList {
         }
     }
 
-    // The octants inside among those that no face meets, when no face is level: one winding number for each
-    // of the parts in which they hang together.
+    // The octants inside among those that no face meets, when no face lies between octants: one winding
+    // number for each of the parts in which they hang together.
     std::uint64_t inside_beside(std::uint64_t met, const OctantGrid& grid, std::int32_t winding,
                                 WindingRule rule) const {
         const IndexRange all = {0, grid.last};
@@ -81,6 +81,7 @@ std::uint8_t children_of(std::uint64_t set, unsigned child) {
 Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                              std::uint32_t scratch_size, NodePool* pool) {
     builder_.abandon();
+    overflowed_ = false;
     const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
     if (options.depth < 1 || options.depth > greatest_depth) return Status::depth_out_of_range;
     if (scratch_size < std::uint64_t{entry_words} * solid.view().face_count) return Status::scratch_too_small;
@@ -92,7 +93,6 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
     visited_ = 0;
     grids_ = 0;
     started_ = false;
-    overflowed_ = false;
     builder_.begin(pool);
     return Status::ok;
 }
@@ -205,9 +205,9 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
         set_leaves(black, black, 0, whole);
         return close();
     }
-    bool level = false;
-    const std::uint64_t met = list.meet(grid, level);
-    if (last && !level) {
+    bool walls = false;
+    const std::uint64_t met = list.meet(grid, walls);
+    if (last && !walls) {
         const std::uint64_t inside =
             in_morton_order(list.inside_beside(met, grid, winding, options_.winding));
         set_leaves(inside | in_morton_order(met), inside, 0, whole);

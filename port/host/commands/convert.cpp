@@ -69,7 +69,7 @@ void refuse_contradictions(const Options& options) {
     }
     if (options.technique != Technique::bintree) return;
     if (centre) throw CLI::ValidationError("--technique", "bintree has no centre leaves");
-    if (options.nodes) throw CLI::ValidationError("--technique", "--fit divides");
+    if (options.nodes) throw CLI::ValidationError("--technique", "--fit converts by divide and conquer");
 }
 
 Converted convert(const Options& options, const CheckedSolid& solid, WindingRule winding,
@@ -133,7 +133,7 @@ void add_convert(CLI::App& app, const Console& console) {
     add_choice<Technique>(
         *command, "--technique", options->technique,
         "grids (the default: 64 octants at once), divide (octant by octant, in less memory) or bintree (a "
-        "bintree and the labelling of its components); the trees are the same",
+        "bintree and the labelling of its components; no centre leaves); the trees are the same",
         {{"grids", Technique::grids}, {"divide", Technique::divide}, {"bintree", Technique::bintree}})
         ->type_name("NAME");
     command

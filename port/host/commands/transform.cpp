@@ -39,7 +39,11 @@ struct Options {
 std::int32_t lattice_length(const WorldCube& cube, const char* option, double world) {
     const double cells = world / cube.unit();
     const bool is_multiple = cells == std::floor(cells) && cells * cube.unit() == world;
-    if (!is_multiple || std::fabs(cells) > 2.0 * root_side) {
+    if (std::fabs(cells) > 2.0 * root_side) {
+        throw BadInput(std::string(option) + ": " + decimal(world) +
+                       " is farther than two sides of the root octant, " + decimal(cube.side));
+    }
+    if (!is_multiple) {
         throw BadInput(std::string(option) + ": " + decimal(world) +
                        " is no multiple of the lattice unit, which is " + decimal(cube.unit()));
     }
@@ -122,8 +126,8 @@ void require_depth(const Octree& tree, const Placement& placement) {
     const std::uint64_t times = std::uint64_t{1} << (2 * (exact - tree.depth));
     throw BadInput("the vector or the box fits no leaves of the octree, whose depth is " +
                    std::to_string(tree.depth) + ": --depth " + std::to_string(exact) +
-                   " places it exactly, with about " + std::to_string(times) +
-                   " times as many leaves; with less, octants of several colours become boundary");
+                   " places it exactly, with " + std::to_string(times) +
+                   " times as many leaves or more; with less, octants of several colours become boundary");
 }
 
 Octree placed(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options& options, WorldCube& cube,

@@ -1,6 +1,6 @@
 // OBJ, the format of Wavefront. tinyobjloader splits it into statements and resolves what a face statement
-// may look like. The coordinates are read again from the text: tinyobjloader's decimals are off by units in
-// the last place, and what is no number it silently takes for 0.
+// may look like. Coordinates and indices are read again from the text: tinyobjloader's decimals are off by
+// units in the last place, its indices wrap around, and what is no number it silently takes for 0.
 #include "mesh/readers.hpp"
 
 #if defined(__GNUC__)
@@ -16,6 +16,7 @@
 #endif
 
 #include <algorithm>
+#include <charconv>
 #include <istream>
 #include <streambuf>
 
@@ -67,9 +68,9 @@ void take_vertex(void* context, tinyobj::real_t, tinyobj::real_t, tinyobj::real_
 }
 
 // Indices count from 1, or from -1 backwards over the vertices read so far.
-std::uint32_t resolve(const Reading& reading, int index) {
+std::uint32_t resolve(const Reading& reading, std::int64_t index) {
     const auto count = static_cast<std::int64_t>(reading.mesh.vertices.size());
-    const std::int64_t vertex = index > 0 ? std::int64_t{index} - 1 : count + index;
+    const std::int64_t vertex = index > 0 ? index - 1 : count + index;
     if (index == 0 || vertex < 0 || vertex >= count) {
         reading.fail("vertex index " + std::to_string(index) + " is out of range; " + std::to_string(count) +
                      " vertices stand before this face, the first is 1");
@@ -77,12 +78,38 @@ std::uint32_t resolve(const Reading& reading, int index) {
     return static_cast<std::uint32_t>(vertex);
 }
 
-void take_face(void* context, tinyobj::index_t* indices, int count) {
-    Reading& reading = *static_cast<Reading*>(context);
-    if (count < 3) reading.fail("a face has " + std::to_string(count) + " corners; it needs three");
-    for (int i = 0; i < count; ++i) {
-        reading.mesh.corners.push_back(resolve(reading, indices[i].vertex_index));
+// The vertex of a corner: an index, or such as 1/2, 1//3 or 1/2/3 with those of a texture and a normal.
+std::int64_t corner_index(const Reading& reading, std::string_view corner) {
+    std::int64_t first = 0;
+    std::string_view rest = corner;
+    for (int part = 0; part < 3; ++part) {
+        std::int64_t index = 0;
+        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
+        const bool may_be_left_out = part == 1 && !rest.empty() && rest.front() == '/';
+        if (error != std::errc() && !may_be_left_out) break;
+        if (part == 0) first = index;
+        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+        if (rest.empty()) return first;
+        if (rest.front() != '/') break;
+        rest.remove_prefix(1);
     }
+    reading.fail("a face has the corner " + std::string(corner) + ", which is no vertex index");
+}
+
+void take_face(void* context, tinyobj::index_t*, int) {
+    Reading& reading = *static_cast<Reading*>(context);
+    constexpr const char* blanks = " \t";
+    std::string_view text = reading.statement();
+    text.remove_prefix(text.find('f') + 1);
+    int count = 0;
+    for (;; ++count) {
+        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+        if (text.empty()) break;
+        const std::string_view corner = text.substr(0, text.find_first_of(blanks));
+        reading.mesh.corners.push_back(resolve(reading, corner_index(reading, corner)));
+        text.remove_prefix(corner.size());
+    }
+    if (count < 3) reading.fail("a face has " + std::to_string(count) + " corners; it needs three");
     reading.mesh.end_ring();
     reading.mesh.end_face();
 }
