@@ -1,4 +1,4 @@
-// Conversion: Osem's two kinds of leaves and the two scanlines.
+// Conversion: Osem's two kinds of leaves, by grids and plain, and the two scanlines.
 #include "bench/suites.hpp"
 
 #include "bench/agreement.hpp"
@@ -19,13 +19,26 @@ void set_counters(benchmark::State& state, const std::string& solid, int depth, 
     state.counters["memory_bytes"] = static_cast<double>(memory_bytes);
 }
 
-void run_osem(benchmark::State& state, const std::string& solid, int depth, LeafRule leaves) {
-    static_cast<void>(agreement_on(solid, depth));
-    OsemConversion& conversion = conversion_of(solid, depth, leaves);
+template <class Job>
+void run(benchmark::State& state, const std::string& solid, int depth, OsemConversion<Job>& conversion) {
     for (auto _ : state) conversion.run();
     set_counters(state, solid, depth, conversion.result_bytes(), conversion.memory_bytes());
     state.counters["nodes"] = static_cast<double>(measure(conversion.tree()).nodes);
-    state.counters["octants"] = static_cast<double>(conversion.octants_visited());
+}
+
+void run_grids(benchmark::State& state, const std::string& solid, int depth, LeafRule leaves) {
+    static_cast<void>(agreement_on(solid, depth));
+    OsemConversion<GridConversion>& conversion = conversion_of(solid, depth, leaves);
+    run(state, solid, depth, conversion);
+    state.counters["grids"] = static_cast<double>(conversion.job().grids_visited());
+}
+
+void run_plain(benchmark::State& state, const std::string& solid, int depth, LeafRule leaves) {
+    OsemConversion<Conversion> conversion(solid_of(solid), depth, leaves);
+    require(same_leaves(conversion.tree(), conversion_of(solid, depth, leaves).tree()),
+            "another tree by grids");
+    run(state, solid, depth, conversion);
+    state.counters["octants"] = static_cast<double>(conversion.job().octants_visited());
 }
 
 void run_scanline(benchmark::State& state, const std::string& name, int depth, bool as_bits) {
@@ -55,9 +68,12 @@ void add_conversions(const std::string& solid, int depth) {
     };
     add("scan-runs", [=](benchmark::State& state) { run_scanline(state, solid, depth, false); });
     add("scan-bits", [=](benchmark::State& state) { run_scanline(state, solid, depth, true); });
-    add("osem-centre", [=](benchmark::State& state) { run_osem(state, solid, depth, LeafRule::centre); });
+    add("osem-centre", [=](benchmark::State& state) { run_grids(state, solid, depth, LeafRule::centre); });
     add("osem-three",
-        [=](benchmark::State& state) { run_osem(state, solid, depth, LeafRule::conservative); });
+        [=](benchmark::State& state) { run_grids(state, solid, depth, LeafRule::conservative); });
+    add("plain-centre", [=](benchmark::State& state) { run_plain(state, solid, depth, LeafRule::centre); });
+    add("plain-three",
+        [=](benchmark::State& state) { run_plain(state, solid, depth, LeafRule::conservative); });
 }
 
 } // namespace osem::bench

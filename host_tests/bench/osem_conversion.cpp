@@ -6,9 +6,19 @@
 
 namespace osem::bench {
 
-OsemConversion::OsemConversion(const BenchSolid& solid, int depth, LeafRule leaves)
+namespace {
+
+std::uint64_t scratch_size(const Conversion&, const Solid& solid, int) { return convert_scratch(solid); }
+std::uint64_t scratch_size(const GridConversion&, const Solid& solid, int depth) {
+    return grid_scratch(solid, depth);
+}
+
+} // namespace
+
+template <class Job>
+OsemConversion<Job>::OsemConversion(const BenchSolid& solid, int depth, LeafRule leaves)
     : solid_(solid.checked()), options_{depth, leaves, WindingRule::nonzero},
-      scratch_(convert_scratch(solid_.view())) {
+      scratch_(bench::scratch_size(*job_, solid_.view(), depth)) {
     const auto scratch_size = static_cast<std::uint32_t>(scratch_.size());
     const TreeOutcome counted = convert(*job_, solid_, options_, scratch_.data(), scratch_size, nullptr);
     require(counted.status == Status::ok, describe(counted.status));
@@ -17,7 +27,8 @@ OsemConversion::OsemConversion(const BenchSolid& solid, int depth, LeafRule leav
     run();
 }
 
-void OsemConversion::run() {
+template <class Job>
+void OsemConversion<Job>::run() {
     pool_->pool().roll_back(0);
     const auto scratch_size = static_cast<std::uint32_t>(scratch_.size());
     const TreeOutcome outcome =
@@ -26,16 +37,20 @@ void OsemConversion::run() {
     tree_ = outcome.tree;
 }
 
-OsemConversion& conversion_of(const std::string& solid, int depth, LeafRule leaves) {
+template class OsemConversion<Conversion>;
+template class OsemConversion<GridConversion>;
+
+OsemConversion<GridConversion>& conversion_of(const std::string& solid, int depth, LeafRule leaves) {
     struct Made {
         std::string solid;
         int depth = 0;
-        std::unique_ptr<OsemConversion> conversion;
+        std::unique_ptr<OsemConversion<GridConversion>> conversion;
     };
     static std::map<LeafRule, Made> known;
     Made& made = known[leaves];
     if (made.solid != solid || made.depth != depth) {
-        made = Made{solid, depth, std::make_unique<OsemConversion>(solid_of(solid), depth, leaves)};
+        made = Made{solid, depth,
+                    std::make_unique<OsemConversion<GridConversion>>(solid_of(solid), depth, leaves)};
     }
     return *made.conversion;
 }

@@ -9,12 +9,14 @@
 
 #include "bench/solids.hpp"
 #include "files/host_pool.hpp"
-#include "osem/convert.hpp"
+#include "osem/grid_convert.hpp"
 
 namespace osem::bench {
 
-/// A conversion that may be run again and again. Making it takes a counting pass, so that the pool is as
-/// large as the tree and no larger, and runs it once, so that the pool's pages have been touched.
+/// A conversion that may be run again and again, by grids or octant by octant. Making it takes a counting
+/// pass, which is not timed, so that the pool is as large as the tree and no larger, and runs it once, so
+/// that the pool's pages have been touched.
+template <class Job>
 class OsemConversion {
   public:
     OsemConversion(const BenchSolid& solid, int depth, LeafRule leaves);
@@ -24,26 +26,29 @@ class OsemConversion {
     /// The tree that the last run gave.
     const Octree& tree() const { return tree_; }
 
-    std::uint64_t octants_visited() const { return job_->octants_visited(); }
+    const Job& job() const { return *job_; }
     std::uint64_t result_bytes() const { return nodes_ * sizeof(Node); }
     /// Pool, scratch and the job itself.
     std::uint64_t memory_bytes() const {
-        return result_bytes() + scratch_.size() * sizeof scratch_[0] + sizeof(Conversion);
+        return result_bytes() + scratch_.size() * sizeof scratch_[0] + sizeof(Job);
     }
 
   private:
+    std::unique_ptr<Job> job_ = std::make_unique<Job>();
     CheckedSolid solid_;
     ConvertOptions options_;
     std::vector<std::uint32_t> scratch_;
-    std::unique_ptr<Conversion> job_ = std::make_unique<Conversion>();
     std::uint64_t nodes_ = 0;
     std::unique_ptr<host::HostPool> pool_;
     Octree tree_{};
 };
 
-/// The conversion of a solid, kept until that of another solid or depth by the same rule is asked for:
-/// benchmarks of one solid and depth follow each other.
-OsemConversion& conversion_of(const std::string& solid, int depth, LeafRule leaves);
+/// The conversion of a solid by grids, kept until that of another solid or depth by the same rule is asked
+/// for: benchmarks of one solid and depth follow each other.
+OsemConversion<GridConversion>& conversion_of(const std::string& solid, int depth, LeafRule leaves);
+
+extern template class OsemConversion<Conversion>;
+extern template class OsemConversion<GridConversion>;
 
 } // namespace osem::bench
 

@@ -6,7 +6,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 STYLE = {
     "scan-runs": ("black", "o"), "scan-bits": ("grey", "s"), "osem-centre": ("tab:blue", "o"),
-    "osem-three": ("tab:cyan", "s"), "vdb-fill": ("tab:red", "^"),
+    "osem-three": ("tab:cyan", "s"), "plain-centre": ("tab:blue", "x"), "plain-three": ("tab:cyan", "x"),
+    "vdb-fill": ("tab:red", "^"),
 }
 
 

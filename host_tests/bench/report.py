@@ -10,7 +10,8 @@ from plots import draw
 from targets import judged
 
 METHODS = {
-    "convert": ["scan-runs", "scan-bits", "osem-centre", "osem-three", "vdb-fill"],
+    "convert": ["scan-runs", "scan-bits", "osem-centre", "osem-three", "plain-centre",
+                "plain-three", "vdb-fill"],
     "union": ["runs", "osem-pool", "osem-stream", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
               "cgal"],
 }

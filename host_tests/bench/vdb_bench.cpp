@@ -84,9 +84,9 @@ void run_fill(benchmark::State& state, const std::string& solid, int depth) {
     const auto convert = [&] {
         const FloatGrid::Ptr field = level_set(solid, depth, 1);
         mask = openvdb::tools::sdfInteriorMask(*field);
-        return field->memUsage() + mask->memUsage();
+        return field;
     };
-    const std::uint64_t memory = convert();
+    const std::uint64_t memory = convert()->memUsage() + mask->memUsage();
     for (auto _ : state) convert();
 
     const MaskGrid::Ptr exact = exact_mask(solid, depth);
