@@ -120,9 +120,10 @@ void compare_losses(Report& report, const Volumes& before, const PruneOutcome& o
                   static_cast<std::int64_t>(outcome.inner_lost));
     report.expect("outer volume gained", static_cast<std::int64_t>(after.outer_volume - before.outer),
                   static_cast<std::int64_t>(outcome.outer_gained));
-    if (least == 0)
+    if (least == 0) {
         report.expect("the optimum is said to be met", 0,
                       static_cast<std::int64_t>(lost + outcome.above_optimum));
+    }
     report.expect("no less lost than the least", 1, lost >= least ? 1 : 0);
     report.expect("the least within the bound", 1, lost - least <= outcome.above_optimum ? 1 : 0);
 }

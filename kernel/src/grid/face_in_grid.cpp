@@ -112,7 +112,7 @@ class Sides {
         unsigned across = below_zero(value_ + u * step_[u_of[axis]] + v * step_[v_of[axis]], step_[axis]);
         if ((across & 1U) != 0) across ^= 15U;
         if (axis == axis_x) return std::uint64_t{across} << (4 * u + 16 * v);
-        if (axis == axis_y) return std::uint64_t{spread(across) * 15U} << (16 * v);
+        if (axis == axis_y) return std::uint64_t{spread(across)} * 15U << (16 * v);
         std::uint64_t set = 0;
         for (unsigned k = 1; k < 4; ++k) {
             if ((across >> k & 1U) != 0) set |= std::uint64_t{0xffff} << (16 * k);

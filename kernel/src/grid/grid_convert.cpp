@@ -117,8 +117,7 @@ std::uint64_t GridConversion::decided_volume() const {
     for (int grid = 0; grid < grids_; ++grid) {
         const Frame& frame = frames_[grid];
         unsigned open = grid + 1 < grids_ ? 1 : 0;
-        for (int byte = 0; byte < 8; ++byte)
-            open += count_bits(children_of(frame.left, static_cast<unsigned>(byte)));
+        for (unsigned child = 0; child < 8; ++child) open += count_bits(children_of(frame.left, child));
         decided += ((is_of_eight(grid) ? 8 : 64) - open) * volume_at(level_of(grid));
     }
     return decided;
@@ -129,8 +128,9 @@ void GridConversion::visit_root() {
     Point start = {{-1, 0, 0}};
     for (int axis = 1; axis < 3; ++axis) start.at[axis] = offset();
     std::int32_t winding = 0;
-    for (std::uint32_t face = 0; face < solid_.face_count; ++face) {
-        scratch_[entry_words * face] = face;
+    std::uint32_t* entry = scratch_;
+    for (std::uint32_t face = 0; face < solid_.face_count; ++face, entry += entry_words) {
+        *entry = face;
         winding += crossing(solid_, face, start, axis_x, offset() + 1);
     }
     reserve(0, entry_words * solid_.face_count);
@@ -171,11 +171,13 @@ void GridConversion::open_child(Frame& frame, unsigned child) {
 bool GridConversion::select(const Frame& above, unsigned place, std::uint32_t first, std::uint32_t& faces) {
     const unsigned half = 1 + (place >> 5);
     const unsigned bit = place & 31U;
-    const std::uint32_t* const end = scratch_ + above.first + entry_words * above.faces;
+    const std::uint32_t words = entry_words * above.faces;
+    const std::uint32_t* const end = scratch_ + above.first + words;
     for (const std::uint32_t* entry = scratch_ + above.first; entry != end; entry += entry_words) {
         if ((entry[half] >> bit & 1U) == 0) continue;
-        if (!reserve(first + entry_words * faces, entry_words)) return false;
-        scratch_[first + entry_words * faces++] = *entry;
+        const std::uint32_t word = first + entry_words * faces++;
+        if (!reserve(word, entry_words)) return false;
+        scratch_[word] = *entry;
     }
     return true;
 }
@@ -197,7 +199,8 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
     const bool whole = !is_of_eight(grids_);
     const OctantGrid grid = {corner, lattice_bits - level_of(grids_), offset(), whole ? 3 : 1};
     const bool last = grids_ + 1 == nested_grids(options_.depth);
-    const GridList list = {solid_, scratch_ + first, scratch_ + first + entry_words * faces};
+    const std::uint32_t words = first + entry_words * faces;
+    const GridList list = {solid_, scratch_ + first, scratch_ + words};
     if (last && options_.leaves == LeafRule::centre) {
         WindingLanes windings(lanes_, winding);
         list.add_crossings(grid, windings);
@@ -224,7 +227,6 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
     set_leaves(inside, inside, open, whole);
     Frame& frame = frames_[grids_++];
     frame = Frame{corner, first, faces, open, inside, no_child};
-    const std::uint32_t words = first + entry_words * faces;
     if (!reserve(words, winding_words)) return overflow();
     for (std::uint64_t left = open; left != 0; left &= left - 1) {
         const unsigned m = lowest_of(left);

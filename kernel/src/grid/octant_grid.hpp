@@ -50,13 +50,13 @@ constexpr unsigned spread(unsigned bits) {
 constexpr std::uint64_t behind_x(unsigned squares) {
     std::uint64_t set = 0;
     for (unsigned k = 0; k < 4; ++k) {
-        set |= std::uint64_t{spread(squares >> (4 * k) & 15U) * 15U} << (16 * k);
+        set |= std::uint64_t{spread(squares >> (4 * k) & 15U)} * 15U << (16 * k);
     }
     return set;
 }
 constexpr std::uint64_t behind_y(unsigned squares) {
     std::uint64_t set = 0;
-    for (unsigned k = 0; k < 4; ++k) set |= std::uint64_t{(squares >> (4 * k) & 15U) * 0x1111U} << (16 * k);
+    for (unsigned k = 0; k < 4; ++k) set |= std::uint64_t{squares >> (4 * k) & 15U} * 0x1111U << (16 * k);
     return set;
 }
 constexpr std::uint64_t behind_z(unsigned squares) { return squares * 0x0001000100010001U; }
