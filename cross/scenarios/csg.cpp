@@ -36,9 +36,10 @@ class Work {
     std::uint8_t& byte(std::size_t at) { return bytes_[at]; }
     std::size_t size() const { return size_; }
 
-    // The tree is given back at once.
+    // The tree is given back at once. Not inlined: the callers' stack would hold the outcomes of all calls.
     template <std::uint32_t count>
-    void add(Digest& digest, const CsgToken (&tokens)[count], std::uint32_t budget = UINT32_MAX) {
+    [[gnu::noinline]] void add(Digest& digest, const CsgToken (&tokens)[count],
+                               std::uint32_t budget = UINT32_MAX) {
         const std::uint32_t mark = pool.used();
         const CsgOperand operands[] = {solid_, tree_, stream_};
         CsgOptions options;

@@ -29,8 +29,10 @@ Job& fresh(const Arguments&... arguments) {
 }
 
 /// Checks and converts a solid of at most most_corners corners and 32 faces into the pool, or, without one,
-/// counts. What check refuses comes back as its status.
-TreeOutcome converted(const Solid& solid, const ConvertOptions& options, NodePool* into = &pool);
+/// counts. What check refuses comes back as its status. Not inlined: the stack that check takes is free again
+/// before the scenario goes on.
+[[gnu::noinline]] TreeOutcome converted(const Solid& solid, const ConvertOptions& options,
+                                        NodePool* into = &pool);
 
 /// Scratch of check, and of the fault scenarios for their own use.
 extern Edge edges[most_corners];

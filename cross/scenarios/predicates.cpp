@@ -94,7 +94,10 @@ std::uint64_t refused_solids() {
         add_outcome(digest, part);
     }
     // One vertex moved: off its planes, or off the lattice.
-    Point moved[most_vertices];
+    struct Vertices {
+        Point at[most_vertices];
+    };
+    Point* const moved = fresh<Vertices>().at;
     for (std::uint32_t v = 0; v < whole.vertex_count; ++v) {
         for (std::uint32_t i = 0; i < whole.vertex_count; ++i) moved[i] = whole.vertices[i];
         moved[v].at[v % 3] += v % 2 == 0 ? 1 : root_side;

@@ -114,14 +114,14 @@ std::uint64_t segment_walks() {
     Random random(23);
     for (int i = 0; i < 400; ++i) {
         const Segment segment = any_segment(random, i % 2 == 0 ? root_side / 16 : 65521);
-        SegmentWalk walk(tree, segment);
+        auto& walk = fresh<SegmentWalk>(tree, segment);
         for (Passage passage = {}; walk.next(passage);) {
             add(digest, passage.leaf);
             add(digest, passage.entry);
             add(digest, passage.exit);
         }
         digest.add(walk.visited());
-        SegmentWalk changes(tree, ray(segment.from, segment.to));
+        auto& changes = fresh<SegmentWalk>(tree, ray(segment.from, segment.to));
         for (Crossing crossing = {}; changes.next_crossing(crossing);) {
             add(digest, crossing.at);
             digest.add(crossing.axis);
