@@ -16,6 +16,11 @@
 #define OSEM_OF_INDEX_WIDTH
 #endif
 
+// 1: the checksums of streams by tables of 8 KB, eight bytes at a time; 0: by a table of 64 bytes.
+#ifndef OSEM_FAST_CRC
+#define OSEM_FAST_CRC 0
+#endif
+
 // Contract check: a false condition is a bug in the caller, never bad data. Expands to nothing unless the
 // program defines it, for example as its own trap or as the hosted assert.
 #ifndef OSEM_ASSERT

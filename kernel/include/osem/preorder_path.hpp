@@ -27,28 +27,31 @@ class PreorderPath {
     Status take(Colour code);
 
     /// Takes the codes of all eight children of the octant just entered. Precondition: that code was grey,
-    /// and theirs are of leaves of more than one colour. Status: ok; stream_count_mismatch;
-    /// stream_not_canonical.
+    /// and theirs are of leaves of more than one colour. Status: ok; stream_count_mismatch.
     Status take_leaves();
 
     /// Whether the root octant is complete.
-    bool whole() const { return whole_; }
+    bool whole() const { return level_ == 0 && left_[0] == 0; }
     /// Level of the next octant, and which child of its parent it is; 0 and 0 for the root, and when whole.
     int level() const { return level_; }
-    unsigned child() const { return level_ == 0 ? 0 : groups_[level_ - 1].child; }
+    unsigned child() const { return level_ == 0 ? 0 : 8U - left_[level_]; }
 
   private:
-    Status ascend();
+    friend class StreamCursor;
+    friend class StreamCombination;
 
-    struct Group {
-        std::uint16_t codes; ///< of the children that went by
-        std::uint8_t child;  ///< how many did
-    };
+    Status take_buffered(const std::uint8_t* bytes, unsigned& at, unsigned limit, int floor,
+                         std::uint32_t most);
+    Status ascend();
+    Octant taken(int level) const;
+    std::uint64_t volume_before(int level) const;
+
     std::uint32_t nodes_left_ = 0;
-    int level_ = 0;
     std::uint8_t depth_ = 0;
-    bool whole_ = false;
-    Group groups_[max_depth] = {}; ///< of the open octants, the root's first
+    std::uint8_t level_ = 0;
+    Colour colour_ = Colour::white; ///< of the child that went by last
+    bool alike_ = false;            ///< whether all children of the innermost open octant were such leaves
+    std::uint8_t left_[max_depth + 1] = {}; ///< children to come of each open octant; the root's place first
 };
 
 } // namespace osem

@@ -39,7 +39,8 @@ class StreamCombination {
     bool step(std::uint32_t octants);
 
     /// Exact progress over both passes: half of the root's volume (2^60 cells) is decided by each.
-    std::uint64_t decided_volume() const { return decided_ / 2; }
+    /// Cost: O(depth).
+    std::uint64_t decided_volume() const { return decided_cells() / 2; }
 
     /// Status: ok; unfinished; the faults of StreamCursor, the operand named; sink_refused, after which
     /// nothing more was written; source_failed with offset 0 when the second pass read another payload from
@@ -50,12 +51,16 @@ class StreamCombination {
   private:
     enum class Phase : std::uint8_t { idle, counting, writing, done };
     enum class Held : std::uint8_t { none, a, b };
+    enum class Way : std::uint8_t { each, skipped, copied, inverted };
 
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
     void end_pass();
     bool is_unchanged();
+    std::uint64_t decided_cells() const;
     void visit();
+    void begin_below(std::uint32_t colours);
+    std::uint32_t pass(std::uint32_t most);
     void advance(bool past_leaves);
     void release();
     bool check(const StreamCursor& cursor, std::uint8_t operand);
@@ -69,13 +74,13 @@ class StreamCombination {
     Source source_b_ = {};
     Sink sink_ = {};
     StreamCombinationOutcome outcome_ = {Status::unfinished, 0, 0, {}};
-    std::uint64_t decided_ = 0;
+    std::uint64_t decided_ = 0;    ///< cells, by the passes that are over
     std::uint32_t checksum_a_ = 0; ///< of the first pass
     std::uint32_t checksum_b_ = 0;
     Operator op_ = Operator::unite;
     Phase phase_ = Phase::idle;
     Held held_ = Held::none; ///< the operand that stays at a leaf while the other one walks below it
-    bool muted_ = false;     ///< the leaf has decided what is below it
+    Way way_ = Way::each;    ///< what is done below an octant beside a leaf
     bool unary_ = false;     ///< there is no b: it is black throughout, and held for good
     std::uint8_t held_level_ = 0;
 };

@@ -49,18 +49,24 @@ class StreamBuilder {
     Status finish();
 
   private:
+    friend class StreamCombination;
+
+    void begin_copy();
+    void copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes, bool inverted);
+    void end_copy();
     void restart();
     void flush_pending();
     void close_full();
     void put(std::uint32_t codes, unsigned count);
-    void put_byte(std::uint8_t byte);
+    void put_part(std::uint32_t codes, unsigned count);
+    void end_word();
     void write_buffer();
 
     Sink sink_ = {};
     std::uint64_t nodes_ = 0;
     std::uint32_t bits_ = 0;
     std::uint32_t crc_ = 0;
-    unsigned used_ = 0; ///< bits of bits_ in use, fewer than 8 between calls
+    unsigned used_ = 0; ///< bits of bits_ in use, fewer than 32 between calls
     unsigned filled_ = 0;
     int level_ = 0;
     int pending_ = 0;               ///< the open octants from this level on are kept back

@@ -13,8 +13,8 @@
 
 namespace osem {
 
-/// Stands at an octant of a stream and goes on through its payload, reading 61 bytes or more at a time
-/// (fewer at the end), each byte once. All of its state is in the object, O(depth).
+/// Stands at an octant of a stream and goes on through its payload, reading 64 bytes at a time (fewer at the
+/// end), each byte once. All of its state is in the object, O(depth).
 ///
 /// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
 /// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. A cursor may
@@ -34,16 +34,16 @@ class StreamCursor {
 
     /// The octant it stands at: colour, octant and level. Precondition: not done().
     Colour colour() const { return colour_; }
-    const Octant& octant() const { return octant_; }
-    int level() const { return octant_.level; }
+    /// Cost of octant(): O(level).
+    Octant octant() const { return path_.taken(level_); }
+    int level() const { return level_; }
 
     /// Whether the octant is grey and its children are eight leaves, of more than one colour; `codes` is then
     /// their colours, two bits each, child 0 lowest. Cost: O(1).
     bool leaf_children(std::uint16_t& codes) const;
 
     /// Goes on to the next octant in preorder: the first child of a grey one. Behind the last octant it
-    /// compares the checksum and is done. Precondition: not done(). Cost: O(1) and a read every 244 octants
-    /// or more.
+    /// compares the checksum and is done. Precondition: not done(). Cost: O(1) and a read every 256 octants.
     void next();
 
     /// Goes on behind the octant's subtree, whose form is checked on the way. Precondition: not done(). Cost:
@@ -58,33 +58,45 @@ class StreamCursor {
     Status status() const { return status_; }
 
     /// The byte of the stream at which the fault was seen; without a fault the byte of the octant's code.
-    std::uint64_t offset() const { return offset_; }
+    std::uint64_t offset() const { return done_ ? offset_ : byte_of(at_ - 1); }
 
     /// The checksum of the payload read so far; of a walk to the end it is the stream's own.
     std::uint32_t checksum() const { return crc_; }
 
   private:
+    friend class StreamCombination;
+
+    /// Codes that went by, still in the buffer.
+    struct Passage {
+        const std::uint8_t* bytes;
+        unsigned at;         ///< the first code
+        unsigned codes;      ///< how many
+        std::uint32_t nodes; ///< how many of them are grey
+    };
+
     void fail(Status status, std::uint64_t offset);
     Status read_header();
     bool load();
     void arrive();
     void pass_leaves();
+    Passage pass(int floor, std::uint32_t most);
     void end();
-    std::uint64_t byte_of(std::uint64_t code) const;
+    std::uint64_t byte_of(unsigned code) const { return loaded_ - filled_ + code / 4; }
 
     Source source_ = {};
     StreamHeader header_ = {};
     PreorderPath path_;
     std::uint64_t loaded_ = 0; ///< the stream's bytes up to here have been read
-    std::uint64_t offset_ = 0;
+    std::uint64_t offset_ = 0; ///< of a fault, or of the end
     std::uint32_t crc_ = 0;
-    Octant octant_ = {};
     unsigned at_ = 0;     ///< the next code in the buffer
+    unsigned limit_ = 0;  ///< before this one, what a look ahead needs is in the buffer
     unsigned filled_ = 0; ///< bytes of the buffer
     Colour colour_ = Colour::white;
     Status status_ = Status::unfinished;
+    std::uint8_t level_ = 0;
     bool done_ = true;
-    std::uint8_t buffer_[64] = {};
+    std::uint8_t buffer_[4 + 64 + 8] = {}; ///< what is left, what is read, and what a look ahead may touch
 };
 
 } // namespace osem

@@ -1,19 +1,15 @@
 #include "osem/stream_boolean.hpp"
 
+#include "stream/codes.hpp"
+
 namespace osem {
 
 namespace {
 
-std::uint16_t low_bits(unsigned bits) { return static_cast<std::uint16_t>(bits); }
+std::uint16_t low_bits(std::uint32_t bits) { return static_cast<std::uint16_t>(bits); }
 
-// Eight codes at once: `may` is the even bits, `must` the odd ones. A complement's are (~must, ~may), which
-// leaves grey grey.
-unsigned complemented(unsigned codes) {
-    return ~(((codes & 0x5555U) << 1) | ((codes >> 1) & 0x5555U)) & 0xffffU;
-}
-
-// Kleene's connectives; exclusive or is (a and not b) or (not a and b).
-unsigned connected(Operator op, unsigned a, unsigned b) {
+// Kleene's connectives, on as many codes as there are; exclusive or is (a and not b) or (not a and b).
+std::uint32_t connected(Operator op, std::uint32_t a, std::uint32_t b) {
     switch (op) {
     case Operator::unite:
         return a | b;
@@ -29,14 +25,10 @@ unsigned connected(Operator op, unsigned a, unsigned b) {
 
 constexpr unsigned all_children = 0x5555U; // times a code: that code eight times
 
-// Whether a leaf decides alone, whatever stands beside it, and as which colour. `is_b` says whose leaf it is.
-bool dominates(Operator op, Colour leaf, bool is_b, Colour& result) {
-    result = leaf;
-    if (op == Operator::unite) return leaf == Colour::black;
-    if (op == Operator::exclusive_or) return leaf == Colour::boundary;
-    result = Colour::white;
-    return leaf == (op == Operator::subtract && is_b ? Colour::black : Colour::white);
-}
+// One leaf of each colour, and what a complement makes of them.
+constexpr std::uint32_t each_colour = 0b110100;
+constexpr std::uint32_t each_complement = 0b000111;
+constexpr std::uint32_t three_codes = 0b111111;
 
 } // namespace
 
@@ -64,7 +56,8 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
 
 bool StreamCombination::begin_pass() {
     held_ = unary_ ? Held::b : Held::none;
-    muted_ = false;
+    held_level_ = 0;
+    way_ = Way::each;
     a_.begin(source_a_);
     if (!check(a_, 0)) return false;
     if (unary_) return true;
@@ -73,6 +66,7 @@ bool StreamCombination::begin_pass() {
 }
 
 void StreamCombination::fail(Status status, std::uint8_t operand, std::uint64_t offset) {
+    decided_ = decided_cells();
     outcome_.status = status;
     outcome_.operand = operand;
     outcome_.offset = offset;
@@ -87,8 +81,13 @@ bool StreamCombination::check(const StreamCursor& cursor, std::uint8_t operand) 
 
 bool StreamCombination::step(std::uint32_t octants) {
     while (phase_ == Phase::counting || phase_ == Phase::writing) {
-        if (octants-- == 0) return true;
-        visit();
+        if (octants == 0) return true;
+        if (way_ == Way::each) {
+            --octants;
+            visit();
+        } else {
+            octants -= pass(octants);
+        }
     }
     return false;
 }
@@ -105,32 +104,56 @@ std::uint16_t StreamCombination::codes_of(const StreamCursor& cursor, bool& know
 }
 
 void StreamCombination::visit() {
-    if (muted_) return advance(true);
-    const Colour a = a_.colour();
-    const Colour b = unary_ ? Colour::black : b_.colour();
-    const int level = held_ == Held::a ? b_.level() : a_.level();
-    const bool grey_a = a == Colour::grey;
-    const bool grey_b = b == Colour::grey;
+    const bool grey_a = a_.colour() == Colour::grey;
+    const bool grey_b = !unary_ && b_.colour() == Colour::grey;
     bool known = true;
-    const unsigned codes_a = codes_of(a_, known);
-    const unsigned codes_b = codes_of(b_, known);
-    Colour result = Colour::white;
+    const std::uint32_t codes_a = codes_of(a_, known);
+    const std::uint32_t codes_b = codes_of(b_, known);
     if (known) { // two leaves, or all that is below them
         builder_.leaves(low_bits(connected(op_, codes_a, codes_b)));
-        decided_ += volume_at(level);
-    } else if (grey_a != grey_b && dominates(op_, grey_a ? b : a, grey_a, result)) {
-        builder_.leaf(result);
-        decided_ += volume_at(level);
-        muted_ = true;
+    } else if (grey_a != grey_b) {
+        begin_below(grey_a ? connected(op_, each_colour, codes_b) : connected(op_, codes_a, each_colour));
     } else {
         builder_.open();
     }
     if (held_ == Held::none && grey_a != grey_b) {
         held_ = grey_a ? Held::b : Held::a;
-        held_level_ = static_cast<std::uint8_t>(level);
+        held_level_ = static_cast<std::uint8_t>(grey_a ? a_.level() : b_.level());
     }
     if (!builder_.taken()) return fail(Status::sink_refused, 0, 0);
-    advance(known || muted_);
+    if (way_ == Way::each) advance(known);
+}
+
+// What is done below a grey octant beside a leaf that makes `colours` of one leaf of each colour.
+void StreamCombination::begin_below(std::uint32_t colours) {
+    colours &= three_codes;
+    if (colours == each_colour || colours == each_complement) {
+        way_ = colours == each_colour ? Way::copied : Way::inverted;
+        builder_.begin_copy();
+    } else if (colours == (colours & 3U) * 0b010101U) {
+        way_ = Way::skipped;
+        builder_.leaf(static_cast<Colour>(colours & 3U));
+    } else {
+        builder_.open();
+    }
+}
+
+// Goes on below a grey octant beside a leaf, where none of its parts need be looked at by itself. Returns the
+// nodes passed.
+std::uint32_t StreamCombination::pass(std::uint32_t most) {
+    StreamCursor& walker = held_ == Held::a ? b_ : a_;
+    const StreamCursor::Passage passage = walker.pass(held_level_, most);
+    if (!check(walker, held_ == Held::a ? 1 : 0)) return 0;
+    if (way_ != Way::skipped) {
+        builder_.copy(passage.bytes, passage.at, passage.codes, passage.nodes, way_ == Way::inverted);
+    }
+    if (walker.path_.level() <= held_level_) {
+        if (way_ != Way::skipped) builder_.end_copy();
+        way_ = Way::each;
+        advance(false);
+    }
+    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
+    return passage.nodes;
 }
 
 // Goes on in both, or below a leaf of the held one; and when that subtree is over, in the held one as well.
@@ -148,7 +171,6 @@ void StreamCombination::release() {
         if (!walker.done() && walker.level() > held_level_) return;
         StreamCursor& held = held_ == Held::a ? a_ : b_;
         const std::uint8_t operand = held_ == Held::a ? 0 : 1;
-        muted_ = false;
         held_ = Held::none;
         held.next();
         if (!check(held, operand)) return;
@@ -156,8 +178,18 @@ void StreamCombination::release() {
     if (a_.done()) end_pass();
 }
 
+// The cells before the octant where the walk stands, in this pass and the one before.
+std::uint64_t StreamCombination::decided_cells() const {
+    if (phase_ != Phase::counting && phase_ != Phase::writing) return decided_;
+    const StreamCursor& walker = held_ == Held::a ? b_ : a_;
+    const int inner = walker.path_.level();
+    return decided_ + (way_ == Way::each ? walker.path_.volume_before(walker.level())
+                                         : walker.path_.volume_before(inner) + volume_at(inner));
+}
+
 void StreamCombination::end_pass() {
     StreamHeader& header = outcome_.header;
+    decided_ += root_volume;
     if (phase_ == Phase::writing) {
         if (!is_unchanged()) return;
         phase_ = Phase::done;

@@ -1,10 +1,20 @@
 #include "osem/stream_builder.hpp"
 
 #include "osem/preorder_path.hpp"
+#include "stream/codes.hpp"
 #include "stream/crc.hpp"
 #include "stream/header.hpp"
 
 namespace osem {
+
+namespace {
+
+std::uint32_t codes_of(const std::uint8_t* bytes, unsigned at, bool inverted) {
+    const auto codes = static_cast<std::uint32_t>(codes_at(bytes, at));
+    return inverted ? complemented(codes) : codes;
+}
+
+} // namespace
 
 void StreamBuilder::restart() {
     nodes_ = 0;
@@ -83,15 +93,56 @@ void StreamBuilder::close_full() {
     whole_ = level_ == 0;
 }
 
+// The next octant is grey, and what is below it comes as the codes of a canonical tree.
+void StreamBuilder::begin_copy() {
+    OSEM_ASSERT(!whole_ && level_ < max_depth);
+    flush_pending();
+    ++nodes_;
+    put(static_cast<std::uint32_t>(Colour::grey), 1);
+}
+
+// `count` codes from number `at` on, `nodes` of them grey; or those of the complement.
+void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes,
+                         bool inverted) {
+    nodes_ += nodes;
+    if (!writing_) return;
+    const unsigned to_byte = (0U - at) % 4;
+    const unsigned head = count < to_byte ? count : to_byte;
+    put_part(codes_of(bytes, at, inverted), head);
+    at += head;
+    for (count -= head; count >= 16; count -= 16, at += 16) {
+        const std::uint32_t codes = codes_of(bytes, at, inverted);
+        put_word(buffer_ + filled_, bits_ | codes << used_);
+        bits_ = codes >> 1 >> (31 - used_);
+        end_word();
+    }
+    put_part(codes_of(bytes, at, inverted), count);
+}
+
+void StreamBuilder::end_copy() {
+    if (level_ > 0) ++children_[level_ - 1];
+    close_full();
+}
+
+// The lowest of some codes, fewer than 16.
+void StreamBuilder::put_part(std::uint32_t codes, unsigned count) {
+    put(codes & ((1U << (2 * count)) - 1U), count);
+}
+
+// Fewer than 16 codes.
 void StreamBuilder::put(std::uint32_t codes, unsigned count) {
     if (!writing_) return;
     bits_ |= codes << used_;
     used_ += 2 * count;
-    for (; used_ >= 8; used_ -= 8, bits_ >>= 8) put_byte(static_cast<std::uint8_t>(bits_));
+    if (used_ < 32) return;
+    put_word(buffer_ + filled_, bits_);
+    used_ -= 32;
+    bits_ = codes >> (2 * count - used_);
+    end_word();
 }
 
-void StreamBuilder::put_byte(std::uint8_t byte) {
-    buffer_[filled_++] = byte;
+void StreamBuilder::end_word() {
+    filled_ += 4;
     if (filled_ == sizeof buffer_) write_buffer();
 }
 
@@ -106,7 +157,8 @@ Status StreamBuilder::finish() {
     if (!whole_) return Status::unfinished;
     if (!writing_) return Status::ok;
     writing_ = false;
-    put_byte(static_cast<std::uint8_t>(bits_)); // 8n + 1 codes: one is left
+    put_word(buffer_ + filled_, bits_);
+    filled_ += used_ / 8 + 1; // 8n + 1 codes: the last byte holds one
     write_buffer();
     std::uint8_t bytes[stream_trailer_size];
     put_number(bytes, crc_);

@@ -1,5 +1,6 @@
 #include "osem/stream_cursor.hpp"
 
+#include "stream/codes.hpp"
 #include "stream/crc.hpp"
 #include "stream/header.hpp"
 
@@ -9,11 +10,13 @@ namespace {
 
 bool read_memory(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count) {
     const std::uint8_t* from = static_cast<const std::uint8_t*>(context) + offset;
+    for (; count >= 4; count -= 4, from += 4, bytes += 4) put_word(bytes, word_at(from));
     for (std::size_t i = 0; i < count; ++i) bytes[i] = from[i];
     return true;
 }
 
-constexpr unsigned group_bytes = 3; // eight codes lie in three bytes at most
+constexpr unsigned read_size = 64;
+constexpr unsigned codes_ahead = 16; // seven leaves, a grey octant and its children
 
 } // namespace
 
@@ -26,6 +29,7 @@ Status StreamCursor::begin(const Source& source) {
     header_ = StreamHeader{};
     crc_ = 0;
     at_ = 0;
+    limit_ = 0;
     filled_ = 0;
     status_ = Status::ok;
     offset_ = 0;
@@ -37,7 +41,6 @@ Status StreamCursor::begin(const Source& source) {
     }
     loaded_ = stream_header_size;
     path_.begin(header_.depth, header_.nodes);
-    octant_ = root_octant;
     arrive();
     return status_;
 }
@@ -69,16 +72,14 @@ void StreamCursor::fail(Status status, std::uint64_t offset) {
     done_ = true;
 }
 
-// Sees to it that the next eight codes, or all that are left, are in the buffer.
+// Sees to it that the codes of a look ahead, or all that are left, are in the buffer.
 bool StreamCursor::load() {
-    const unsigned used = at_ / 4;
+    if (at_ < limit_) return true;
     const std::uint64_t end = source_.size - stream_trailer_size;
-    if (filled_ - used >= group_bytes || loaded_ == end) return true;
     unsigned kept = 0;
-    for (unsigned i = used; i < filled_; ++i) buffer_[kept++] = buffer_[i];
+    for (unsigned i = at_ / 4; i < filled_; ++i) buffer_[kept++] = buffer_[i];
     const std::uint64_t left = end - loaded_;
-    const unsigned room = static_cast<unsigned>(sizeof buffer_) - kept;
-    const unsigned count = left < room ? static_cast<unsigned>(left) : room;
+    const unsigned count = left < read_size ? static_cast<unsigned>(left) : read_size;
     at_ %= 4;
     filled_ = kept;
     if (!source_.read(source_.context, loaded_, buffer_ + kept, count)) {
@@ -88,46 +89,27 @@ bool StreamCursor::load() {
     crc_ = crc_append(crc_, buffer_ + kept, count);
     filled_ += count;
     loaded_ += count;
+    limit_ = 4 * filled_ + 1 - (loaded_ == end ? 0 : codes_ahead);
     return true;
 }
 
-// The byte of the stream that holds a code of the buffer.
-std::uint64_t StreamCursor::byte_of(std::uint64_t code) const { return loaded_ - filled_ + code / 4; }
-
-// Takes the next octant's code; octant_ is already that octant. While the path is not whole there is one: as
-// many grey octants as the header says have eight codes each in the payload, and more are refused.
+// Takes the next octant's code. While the path is not whole there is one: as many grey octants as the header
+// says have eight codes each in the payload, and more are refused.
 void StreamCursor::arrive() {
     if (!load()) return;
-    offset_ = byte_of(at_);
     colour_ = static_cast<Colour>(std::uint32_t{buffer_[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
+    level_ = static_cast<std::uint8_t>(path_.level());
     ++at_;
     const Status status = path_.take(colour_);
-    if (status != Status::ok) return fail(status, offset_);
-    if (colour_ == Colour::grey) load(); // leaf_children looks ahead
+    if (status != Status::ok) fail(status, byte_of(at_ - 1));
 }
 
-void StreamCursor::next() {
-    if (path_.whole()) return end();
-    const std::int32_t side = root_side >> path_.level();
-    const unsigned child = path_.child();
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        std::int32_t& corner = octant_.corner.at[axis];
-        corner &= -2 * side; // the corner of the parent
-        if (((child >> axis) & 1U) != 0) corner |= side;
-    }
-    octant_.level = static_cast<std::uint8_t>(path_.level());
-    arrive();
-}
+void StreamCursor::next() { path_.whole() ? end() : arrive(); }
 
 bool StreamCursor::leaf_children(std::uint16_t& codes) const {
     if (colour_ != Colour::grey) return false;
-    std::uint32_t bits = 0;
-    for (unsigned i = 0; i < group_bytes && at_ / 4 + i < filled_; ++i) {
-        bits |= static_cast<std::uint32_t>(buffer_[at_ / 4 + i]) << (8 * i);
-    }
-    codes = static_cast<std::uint16_t>(bits >> (2 * (at_ % 4)));
-    const unsigned grey = (static_cast<unsigned>(codes) >> 1) & ~static_cast<unsigned>(codes) & 0x5555U;
-    return grey == 0 && !is_one_leaf(codes);
+    codes = static_cast<std::uint16_t>(codes_at(buffer_, at_));
+    return grey_codes(codes) == 0 && !is_one_leaf(codes);
 }
 
 void StreamCursor::pass_leaves() {
@@ -142,19 +124,31 @@ void StreamCursor::next_or_leaves() {
     leaf_children(codes) ? pass_leaves() : next();
 }
 
+// Goes on below the octant of level `floor`, by what is in the buffer and at most `most` grey octants; by one
+// or to the end of that octant in any case. Precondition: it is open.
+StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
+    Passage passage = {buffer_, 0, 0, 0};
+    if (!load()) return passage;
+    passage.at = at_;
+    passage.nodes = path_.nodes_left_;
+    const Status status = path_.take_buffered(buffer_, at_, limit_, floor, most);
+    if (status != Status::ok) fail(status, byte_of(at_ - 1));
+    passage.codes = at_ - passage.at;
+    passage.nodes -= path_.nodes_left_;
+    return passage;
+}
+
 void StreamCursor::skip() {
-    const int level = this->level();
-    const bool grey = colour_ == Colour::grey;
-    next_or_leaves();
-    while (grey && !done_ && this->level() > level) next_or_leaves();
+    if (colour_ == Colour::grey) {
+        while (!done_ && path_.level() > level_) pass(level_, UINT32_MAX);
+    }
+    if (!done_) next();
 }
 
 // Behind the last octant: the bits that are left (8n + 1 codes end with the first of a byte), and the
 // checksum.
 void StreamCursor::end() {
-    if ((buffer_[at_ / 4] >> 2) != 0) {
-        return fail(Status::stream_payload_damaged, byte_of(at_));
-    }
+    if ((buffer_[at_ / 4] >> 2) != 0) return fail(Status::stream_payload_damaged, byte_of(at_));
     std::uint8_t bytes[stream_trailer_size];
     if (!source_.read(source_.context, loaded_, bytes, sizeof bytes)) {
         return fail(Status::source_failed, loaded_);

@@ -6,6 +6,19 @@
 
 namespace osem {
 
+namespace {
+
+// Which child, of a level, of an octant holds the cell.
+unsigned child_at(const Point& cell, int level) {
+    unsigned child = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        child |= (static_cast<unsigned>(cell.at[axis]) >> (lattice_bits - level) & 1U) << axis;
+    }
+    return child;
+}
+
+} // namespace
+
 StreamPointOutcome leaf_at(const Source& stream, const Point& cell) {
     StreamPointOutcome outcome = {{Status::point_off_root, Leaf{root_octant, Colour::boundary}, 0}, 0};
     for (const std::int32_t coordinate : cell.at) {
@@ -13,18 +26,16 @@ StreamPointOutcome leaf_at(const Source& stream, const Point& cell) {
     }
     StreamCursor cursor;
     cursor.begin(stream);
-    // Into the octants that hold the cell, past all others.
-    while (!cursor.done()) {
+    // Into the octants that hold the cell, past all others: each of their children but one.
+    int level = 0;
+    for (unsigned before = 0; !cursor.done();) {
         ++outcome.point.visited;
-        const Octant& octant = cursor.octant();
-        bool holds = true;
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            holds = holds && (cell.at[axis] & -octant.side()) == octant.corner.at[axis];
-        }
+        const bool holds = cursor.level() == level && before-- == 0;
         if (holds && cursor.colour() != Colour::grey) {
-            outcome.point.leaf = Leaf{octant, cursor.colour()};
+            outcome.point.leaf = Leaf{cursor.octant(), cursor.colour()};
             break;
         }
+        if (holds) before = child_at(cell, ++level);
         holds ? cursor.next() : cursor.next_or_leaves();
     }
     outcome.point.status = cursor.status();
