@@ -104,10 +104,10 @@ Octant PreorderPath::taken(int level) const {
     return octant;
 }
 
-// The cells before that octant.
+// The cells before that octant. Where none of a level has been taken yet, it counts as one behind.
 std::uint64_t PreorderPath::volume_before(int level) const {
     std::uint64_t cells = 0;
-    for (int i = 1; i <= level; ++i) cells += (7U - left_[i]) * volume_at(i);
+    for (int i = 1; i <= level; ++i) cells += (std::uint64_t{7} - left_[i]) * volume_at(i);
     return cells;
 }
 

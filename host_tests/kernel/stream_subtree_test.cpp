@@ -1,0 +1,235 @@
+// What goes by as a whole in a Boolean of streams: deep and uneven subtrees beside leaves, against trees of
+// plain recursion.
+#include "osem/stream_boolean.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+
+#include "osem/stream_query.hpp"
+#include "support/byte_stream.hpp"
+#include "support/stream_source.hpp"
+
+namespace osem::tests {
+
+namespace {
+
+constexpr Operator all_operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
+                                      Operator::exclusive_or};
+
+// An octant: a leaf, or grey with eight children. Never eight equal leaves.
+struct Part {
+    Colour colour = Colour::white;
+    std::vector<Part> children;
+};
+
+Part joined(std::vector<Part> children) {
+    const Colour first = children.front().colour;
+    const bool one_leaf =
+        first != Colour::grey && std::all_of(children.begin(), children.end(),
+                                             [first](const Part& child) { return child.colour == first; });
+    if (one_leaf) return {first, {}};
+    return {Colour::grey, std::move(children)};
+}
+
+// Each octant is grey with a chance of `grey` in 16; thin trees reach deep, dense ones are full of leaf
+// groups.
+Part random_part(int levels, unsigned grey, const std::vector<Colour>& palette, std::mt19937& random) {
+    if (levels == 0 || random() % 16 >= grey) return {palette[random() % palette.size()], {}};
+    std::vector<Part> children;
+    for (unsigned k = 0; k < 8; ++k) children.push_back(random_part(levels - 1, grey, palette, random));
+    return joined(std::move(children));
+}
+
+// One that is grey, mostly.
+Part grey_part(int levels, unsigned grey, const std::vector<Colour>& palette, std::mt19937& random) {
+    std::vector<Part> children;
+    for (unsigned k = 0; k < 8; ++k) children.push_back(random_part(levels - 1, grey, palette, random));
+    return joined(std::move(children));
+}
+
+Part combined(Operator op, const Part& a, const Part& b) {
+    if (a.children.empty() && b.children.empty()) return {combine_colours(op, a.colour, b.colour), {}};
+    std::vector<Part> children;
+    for (std::size_t k = 0; k < 8; ++k) {
+        children.push_back(
+            combined(op, a.children.empty() ? a : a.children[k], b.children.empty() ? b : b.children[k]));
+    }
+    return joined(std::move(children));
+}
+
+void append_colours(std::vector<Colour>& colours, const Part& part) {
+    colours.push_back(part.colour);
+    for (const Part& child : part.children) append_colours(colours, child);
+}
+
+std::vector<Colour> colours_of(const Part& part) {
+    std::vector<Colour> colours;
+    append_colours(colours, part);
+    return colours;
+}
+
+struct Sample {
+    Part part;
+    int depth;
+
+    Bytes bytes() const { return StreamModel(depth, colours_of(part)).bytes(); }
+};
+
+// Of every depth and of two or three colours; dense ones are flat.
+Sample sample_of(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const int depth = 1 + static_cast<int>(random() % max_depth);
+    const unsigned grey = depth > 7 ? 2 : 3 + static_cast<unsigned>(random() % (depth > 4 ? 3 : 10));
+    return {grey_part(depth, grey, random() % 2 == 0 ? two_colours : three_colours, random), depth};
+}
+
+bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
+    auto& all = *static_cast<Bytes*>(context);
+    all.insert(all.end(), bytes, bytes + count);
+    return true;
+}
+
+Source source_of(const Bytes& bytes) { return memory_source(bytes.data(), bytes.size()); }
+
+TEST(StreamSubtree, UnevenTreesByEveryOperator) {
+    StreamCombination job;
+    std::size_t read = 0;
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+        const Sample a = sample_of(seed);
+        const Sample b = sample_of(10000 + seed);
+        const Bytes bytes_a = a.bytes();
+        const Bytes bytes_b = b.bytes();
+        read += bytes_a.size() + bytes_b.size();
+        const int depth = std::max(a.depth, b.depth);
+        for (const Operator op : all_operators) {
+            Bytes result;
+            ASSERT_EQ(combine(job, op, source_of(bytes_a), source_of(bytes_b), Sink{append, &result}).status,
+                      Status::ok);
+            ASSERT_EQ(result, (Sample{combined(op, a.part, b.part), depth}.bytes())) << seed;
+        }
+        Bytes result;
+        ASSERT_EQ(complement(job, source_of(bytes_a), Sink{append, &result}).status, Status::ok);
+        const Part black = {Colour::black, {}};
+        ASSERT_EQ(result, (Sample{combined(Operator::exclusive_or, a.part, black), a.depth}.bytes())) << seed;
+    }
+    EXPECT_GT(read, 100000U) << "the samples are hardly more than leaves";
+}
+
+TEST(StreamSubtree, EveryLeafBesideATree) {
+    StreamCombination job;
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        const Sample sample = sample_of(seed);
+        const Bytes bytes = sample.bytes();
+        for (const Colour colour : three_colours) {
+            const Sample leaf = {{colour, {}}, 1};
+            const Bytes leaf_bytes = leaf.bytes();
+            for (const Operator op : all_operators) {
+                Bytes left;
+                Bytes right;
+                const Source tree = source_of(bytes);
+                const Source one = source_of(leaf_bytes);
+                ASSERT_EQ(combine(job, op, tree, one, Sink{append, &left}).status, Status::ok);
+                ASSERT_EQ(combine(job, op, one, tree, Sink{append, &right}).status, Status::ok);
+                EXPECT_EQ(left, (Sample{combined(op, sample.part, leaf.part), sample.depth}.bytes()));
+                EXPECT_EQ(right, (Sample{combined(op, leaf.part, sample.part), sample.depth}.bytes()));
+            }
+        }
+    }
+}
+
+// The volume before each octant, in preorder, and that of the root.
+std::vector<std::uint64_t> volumes_before(const std::vector<Colour>& colours) {
+    std::vector<std::uint64_t> volumes;
+    std::vector<unsigned> left{1}; // octants to come, a level
+    std::uint64_t volume = 0;
+    for (const Colour colour : colours) {
+        volumes.push_back(volume);
+        --left.back();
+        if (colour == Colour::grey) {
+            left.push_back(8);
+            continue;
+        }
+        volume += volume_at(static_cast<int>(left.size()) - 1);
+        while (left.size() > 1 && left.back() == 0) left.pop_back();
+    }
+    volumes.push_back(volume);
+    return volumes;
+}
+
+TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
+    StreamCombination job;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        const Sample a = sample_of(seed);
+        const Sample b = sample_of(20000 + seed);
+        const Bytes bytes_a = a.bytes();
+        const Bytes bytes_b = b.bytes();
+        std::vector<std::uint64_t> volumes = volumes_before(colours_of(a.part));
+        const std::vector<std::uint64_t> volumes_b = volumes_before(colours_of(b.part));
+        volumes.insert(volumes.end(), volumes_b.begin(), volumes_b.end());
+        std::sort(volumes.begin(), volumes.end());
+        const Operator op = all_operators[seed % 4];
+        const Bytes expected = Sample{combined(op, a.part, b.part), std::max(a.depth, b.depth)}.bytes();
+        for (const std::uint32_t octants : {1U, 2U, 3U, 7U}) {
+            Bytes result;
+            ASSERT_EQ(job.begin(op, source_of(bytes_a), source_of(bytes_b), Sink{append, &result}),
+                      Status::ok);
+            std::uint64_t decided = 0;
+            std::size_t steps = 0;
+            for (; job.step(octants); ++steps) {
+                const std::uint64_t now = job.decided_volume();
+                ASSERT_GE(now, decided);
+                ASSERT_LE(now, root_volume);
+                decided = now;
+                const std::uint64_t in_pass = (2 * now) % root_volume; // halves of a cell are cut off
+                const auto at = std::lower_bound(volumes.begin(), volumes.end(), in_pass);
+                ASSERT_TRUE(at != volumes.end() && *at <= in_pass + 1) << seed << ", " << steps;
+            }
+            EXPECT_LE(steps * octants,
+                      2 * (colours_of(a.part).size() + colours_of(b.part).size()) + 2 * octants);
+            EXPECT_EQ(job.finish().status, Status::ok);
+            EXPECT_EQ(job.decided_volume(), root_volume);
+            EXPECT_EQ(result, expected);
+        }
+    }
+}
+
+// What the reader says of a hostile form, a Boolean says too, whatever stands beside it.
+TEST(StreamSubtree, HostileFormsBesideEveryLeaf) {
+    StreamCombination job;
+    std::mt19937 random(7);
+    const std::vector<Colour> colours = colours_of(grey_part(4, 10, three_colours, random));
+    ASSERT_GT(colours.size(), 700U) << "more than one read";
+    const StreamModel whole(4, colours);
+    for (std::size_t at = 0; at < whole.payload.size(); ++at) {
+        for (const unsigned change :
+             {1U, 2U, 3U, 12U, 48U, 192U, 255U, 1 + static_cast<unsigned>(random() % 255)}) {
+            StreamModel model = whole;
+            model.payload[at] = static_cast<std::uint8_t>(model.payload[at] ^ change);
+            const Bytes bad = model.bytes();
+            StreamReader reader;
+            const StreamOutcome expected = read_stream(reader, bad, nullptr);
+            for (const Colour colour : three_colours) {
+                const Bytes leaf = Sample{{colour, {}}, 1}.bytes();
+                const Operator op = all_operators[at % 4];
+                for (const std::uint8_t operand : {std::uint8_t{0}, std::uint8_t{1}}) {
+                    Bytes result;
+                    const StreamCombinationOutcome outcome =
+                        combine(job, op, source_of(operand == 0 ? bad : leaf),
+                                source_of(operand == 0 ? leaf : bad), Sink{append, &result});
+                    ASSERT_EQ(outcome.status, expected.built.status) << at << ", " << change;
+                    if (expected.built.status == Status::ok) continue;
+                    EXPECT_EQ(outcome.offset, expected.offset) << at << ", " << change;
+                    EXPECT_EQ(outcome.operand, operand);
+                    EXPECT_TRUE(result.empty());
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
+} // namespace osem::tests
