@@ -196,7 +196,29 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
     }
 }
 
-// What the reader says of a hostile form, a Boolean says too, whatever stands beside it.
+// What the reader says of a stream, a Boolean says of it too, whichever operand it is and whatever leaf
+// stands beside it.
+void expect_like_reader(StreamCombination& job, Operator op, const StreamModel& model,
+                        const std::string& what) {
+    const Bytes bytes = model.bytes();
+    StreamReader reader;
+    const StreamOutcome expected = read_stream(reader, bytes, nullptr);
+    const bool good = expected.built.status == Status::ok;
+    for (const Colour colour : three_colours) {
+        const Bytes leaf = Sample{{colour, {}}, 1}.bytes();
+        for (const std::uint8_t operand : {std::uint8_t{0}, std::uint8_t{1}}) {
+            Bytes result;
+            const StreamCombinationOutcome outcome =
+                combine(job, op, source_of(operand == 0 ? bytes : leaf),
+                        source_of(operand == 0 ? leaf : bytes), Sink{append, &result});
+            ASSERT_EQ(outcome.status, expected.built.status) << what;
+            EXPECT_EQ(outcome.offset, good ? 0 : expected.offset) << what;
+            EXPECT_EQ(outcome.operand, good ? 0 : operand) << what;
+            EXPECT_EQ(result.empty(), !good) << what;
+        }
+    }
+}
+
 TEST(StreamSubtree, HostileFormsBesideEveryLeaf) {
     StreamCombination job;
     std::mt19937 random(7);
@@ -208,25 +230,34 @@ TEST(StreamSubtree, HostileFormsBesideEveryLeaf) {
              {1U, 2U, 3U, 12U, 48U, 192U, 255U, 1 + static_cast<unsigned>(random() % 255)}) {
             StreamModel model = whole;
             model.payload[at] = static_cast<std::uint8_t>(model.payload[at] ^ change);
-            const Bytes bad = model.bytes();
-            StreamReader reader;
-            const StreamOutcome expected = read_stream(reader, bad, nullptr);
-            for (const Colour colour : three_colours) {
-                const Bytes leaf = Sample{{colour, {}}, 1}.bytes();
-                const Operator op = all_operators[at % 4];
-                for (const std::uint8_t operand : {std::uint8_t{0}, std::uint8_t{1}}) {
-                    Bytes result;
-                    const StreamCombinationOutcome outcome =
-                        combine(job, op, source_of(operand == 0 ? bad : leaf),
-                                source_of(operand == 0 ? leaf : bad), Sink{append, &result});
-                    ASSERT_EQ(outcome.status, expected.built.status) << at << ", " << change;
-                    if (expected.built.status == Status::ok) continue;
-                    EXPECT_EQ(outcome.offset, expected.offset) << at << ", " << change;
-                    EXPECT_EQ(outcome.operand, operand);
-                    EXPECT_TRUE(result.empty());
-                }
+            expect_like_reader(job, all_operators[at % 4], model,
+                               "byte " + std::to_string(at) + " changed by " + std::to_string(change));
+        }
+    }
+}
+
+TEST(StreamSubtree, EightEqualLeavesInAnyPlace) {
+    StreamCombination job;
+    std::mt19937 random(8);
+    std::vector<Colour> colours = colours_of(grey_part(3, 10, two_colours, random));
+    std::size_t groups = 0;
+    for (std::size_t at = 0; at + 8 < colours.size(); ++at) {
+        const auto first = colours.begin() + static_cast<std::ptrdiff_t>(at);
+        if (*first != Colour::grey || std::find(first + 1, first + 9, Colour::grey) != first + 9) continue;
+        ++groups;
+        for (const Colour colour : three_colours) {
+            std::vector<Colour> changed = colours;
+            std::fill_n(changed.begin() + (first - colours.begin()) + 1, 8, colour);
+            for (const Operator op : all_operators) {
+                expect_like_reader(job, op, StreamModel(3, changed), "octant " + std::to_string(at));
             }
         }
+    }
+    EXPECT_GT(groups, 20U);
+    for (const Colour colour : three_colours) { // at the root
+        std::vector<Colour> equal(9, colour);
+        equal[0] = Colour::grey;
+        for (const Operator op : all_operators) expect_like_reader(job, op, StreamModel(1, equal), "root");
     }
 }
 
