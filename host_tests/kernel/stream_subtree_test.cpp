@@ -187,8 +187,8 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
                 const auto at = std::lower_bound(volumes.begin(), volumes.end(), in_pass);
                 ASSERT_TRUE(at != volumes.end() && *at <= in_pass + 1) << seed << ", " << steps;
             }
-            EXPECT_LE(steps * octants,
-                      2 * (colours_of(a.part).size() + colours_of(b.part).size()) + 2 * octants);
+            EXPECT_LE(steps * std::size_t{octants},
+                      2 * (colours_of(a.part).size() + colours_of(b.part).size()) + std::size_t{2} * octants);
             EXPECT_EQ(job.finish().status, Status::ok);
             EXPECT_EQ(job.decided_volume(), root_volume);
             EXPECT_EQ(result, expected);
