@@ -79,18 +79,25 @@ void replay_round_trip(Arena& arena, Report& report, const Octree& tree, LeafRul
     report.expect("same leaves as the stream", 1, same_leaves(tree, outcome.built.tree) ? 1 : 0);
 }
 
-// By grids, where there is room for them, the tree is the same.
+// By grids, where there is room for them, the tree is the same. The last grids are as large as there is room
+// for, up to each size in turn.
 void replay_by_grids(Arena& arena, Report& report, const Solid& solid, const ConvertOptions& options,
                      const Octree& same) {
     const ArenaScope scope(arena);
     const std::uint32_t nodes = same.pool->used();
     Node* const memory = take_nodes(arena, nodes);
     auto* const job = arena.take<GridConversion>(1);
-    const auto words = static_cast<std::uint32_t>(grid_scratch(solid, options.depth));
-    auto* const scratch = arena.take<std::uint32_t>(words);
+    std::uint32_t* scratch = nullptr;
+    std::uint32_t words = 0;
+    int last_levels = static_cast<int>(nodes % most_grid_levels) + 2;
+    while (scratch == nullptr && --last_levels > 0) {
+        words = static_cast<std::uint32_t>(grid_scratch(solid, options.depth, last_levels));
+        scratch = arena.take<std::uint32_t>(words);
+    }
     if (memory == nullptr || job == nullptr || scratch == nullptr) return;
     NodePool pool(memory, nodes);
-    const TreeOutcome outcome = convert(*job, CheckedSolid::vouched(solid), options, scratch, words, &pool);
+    const TreeOutcome outcome =
+        convert(*job, CheckedSolid::vouched(solid), options, scratch, words, &pool, last_levels);
     if (!report.expect("status by grids", static_cast<int>(Status::ok), static_cast<int>(outcome.status))) {
         return;
     }

@@ -32,7 +32,7 @@ StreamReader reader;
 Edge edges[Sphere::corner_count];
 std::uint32_t faces[Sphere::triangle_count];
 std::uint32_t blocks[block_size];
-std::uint32_t grid_words[5000];
+std::uint32_t grid_words[8000];
 std::uint8_t stream[30000];
 std::size_t stream_length = 0;
 Point cells[query_count];
@@ -100,7 +100,7 @@ bool converted_by_grids(const Octree& same) {
         ConvertOptions options;
         options.depth = depth;
         outcome =
-            convert(grid_conversion, CheckedSolid::vouched(left.solid()), options, grid_words, 5000, &pool);
+            convert(grid_conversion, CheckedSolid::vouched(left.solid()), options, grid_words, 8000, &pool);
         return outcome.status == Status::ok;
     });
     const bool right_tree = good && same_leaves(same, outcome.tree);

@@ -30,7 +30,11 @@ void add_depths(Digest& digest, const Solid& solid, LeafRule leaves, int greates
 // A grid conversion with its scratch, which is less than for certain would be enough.
 struct GridRun {
     GridConversion job;
-    std::uint32_t words[270];
+    std::uint32_t words[334];
+
+    TreeOutcome convert(const Solid& solid, const ConvertOptions& options, int last_levels) {
+        return osem::convert(job, CheckedSolid::vouched(solid), options, words, 334, &pool, last_levels);
+    }
 };
 
 void add_grid_depths(Digest& digest, const Solid& solid, const ConvertOptions& deepest) {
@@ -38,7 +42,7 @@ void add_grid_depths(Digest& digest, const Solid& solid, const ConvertOptions& d
     ConvertOptions options = deepest;
     for (options.depth = 1; options.depth <= deepest.depth; ++options.depth) {
         pool.roll_back(0);
-        add(digest, convert(run.job, CheckedSolid::vouched(solid), options, run.words, 270, &pool));
+        add(digest, run.convert(solid, options, 1 + options.depth % 2));
         digest.add(run.job.grids_visited());
         digest.add(run.job.scratch_used());
     }
@@ -162,7 +166,7 @@ std::uint64_t conversions_by_grids() {
         const Solid soup = tetrahedra(11, Point{{root_side - 6, 0, root_side / 2 - 3}}, 6);
         auto& run = fresh<GridRun>();
         pool.roll_back(0);
-        add(digest, convert(run.job, CheckedSolid::vouched(soup), {deepest, leaves}, run.words, 270, &pool));
+        add(digest, run.convert(soup, {deepest, leaves}, 2));
     }
     return digest.value();
 }

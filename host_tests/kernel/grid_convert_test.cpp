@@ -20,13 +20,13 @@ struct Words {
 
     explicit Words(std::uint64_t size) : words(static_cast<std::size_t>(size)) {}
     std::uint32_t size() const { return static_cast<std::uint32_t>(words.size()); }
-    Status begin(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options,
-                 NodePool* pool) {
-        return job.begin(solid.checked(), options, words.data(), size(), pool);
+    Status begin(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options, NodePool* pool,
+                 int last_levels = most_grid_levels) {
+        return job.begin(solid.checked(), options, words.data(), size(), pool, last_levels);
     }
     TreeOutcome run(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options,
-                    NodePool* pool) {
-        return convert(job, solid.checked(), options, words.data(), size(), pool);
+                    NodePool* pool, int last_levels = most_grid_levels) {
+        return convert(job, solid.checked(), options, words.data(), size(), pool, last_levels);
     }
 };
 
@@ -34,16 +34,20 @@ void expect_same(const SmallSolid& solid, const ConvertOptions& options) {
     HeapPool expected(300000);
     const TreeOutcome divided = converted(solid, options, &*expected);
     ASSERT_EQ(divided.status, Status::ok);
-    HeapPool pool(divided.nodes_needed);
-    Words scratch(grid_scratch(solid.view(), options.depth));
-    GridConversion job;
-    const TreeOutcome outcome = scratch.run(job, solid, options, &*pool);
-    ASSERT_EQ(outcome.status, Status::ok);
-    ASSERT_EQ(outcome.nodes_needed, divided.nodes_needed);
-    ASSERT_EQ(outcome.tree.top, divided.tree.top) << "depth " << options.depth;
-    ASSERT_EQ(outcome.tree.depth, options.depth);
-    ASSERT_EQ(pool.used_nodes(), expected.used_nodes());
-    ASSERT_LE(job.scratch_used(), scratch.size());
+    // The largest last grids, and smaller ones in turn.
+    for (const int last_levels : {most_grid_levels, 1 + (options.depth + int(options.winding)) % 4}) {
+        HeapPool pool(divided.nodes_needed);
+        Words scratch(grid_scratch(solid.view(), options.depth, last_levels));
+        GridConversion job;
+        const TreeOutcome outcome = scratch.run(job, solid, options, &*pool, last_levels);
+        ASSERT_EQ(outcome.status, Status::ok);
+        ASSERT_EQ(outcome.nodes_needed, divided.nodes_needed);
+        ASSERT_EQ(outcome.tree.top, divided.tree.top)
+            << "depth " << options.depth << ", last grids of " << last_levels << " levels";
+        ASSERT_EQ(outcome.tree.depth, options.depth);
+        ASSERT_EQ(pool.used_nodes(), expected.used_nodes());
+        ASSERT_LE(job.scratch_used(), scratch.size());
+    }
 }
 
 void expect_same(const SmallSolid& solid, int first_depth, int last_depth) {
@@ -83,6 +87,19 @@ TEST(GridConversion, BoxesNestedTouchingAndOverlapping) {
         expect_same(boxes_solid(boxes), 1, 5);
         expect_same(boxes_solid(boxes).triangulated(), 1, 5);
     }
+}
+
+// Winding numbers up to 40 and down to -40, in one row, and from one face plane to the next.
+TEST(GridConversion, DeepNests) {
+    constexpr std::int32_t unit = root_side / 128;
+    std::vector<Box> nest;
+    for (std::int32_t i = 1; i <= 40; ++i) {
+        nest.push_back({{{i * unit, i * unit, i * unit}}, {{64 * unit, 65 * unit, 66 * unit}}});
+        nest.push_back(
+            {{{127 * unit - i * unit, i * unit, i * unit}}, {{127 * unit, 65 * unit, 66 * unit}}, -1});
+    }
+    expect_same(boxes_solid(nest), 2, 5);
+    expect_same(boxes_solid(nest).triangulated(), 5, 7);
 }
 
 TEST(GridConversion, TunnelsAndObliqueFaces) {
@@ -140,7 +157,7 @@ SmallSolid tetrahedra(std::uint32_t seed, std::int32_t grain, int count) {
 }
 
 TEST(GridConversion, RandomTetrahedra) {
-    for (std::uint32_t seed = 0; seed < 24; ++seed) {
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         expect_same(tetrahedra(seed, 1, 3), 3, 4);
         expect_same(tetrahedra(seed, root_side / 16, 5), 3, 5);
@@ -207,13 +224,13 @@ TEST(GridConversion, WindingNumbersOfManyTetrahedra) { expect_same(tetrahedra(7,
 
 TEST(GridConversion, BudgetsAndProgress) {
     const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
-    Words scratch(grid_scratch(solid.view(), 6));
+    Words scratch(grid_scratch(solid.view(), 6, 2));
     for (const int depth : {5, 6}) {
         std::vector<std::uint64_t> digests;
         for (const std::uint32_t budget : {1U, 2U, 7U, UINT32_MAX}) {
             HeapPool pool(20000);
             GridConversion job;
-            ASSERT_EQ(scratch.begin(job, solid, ConvertOptions{depth}, &*pool), Status::ok);
+            ASSERT_EQ(scratch.begin(job, solid, ConvertOptions{depth}, &*pool, 2), Status::ok);
             EXPECT_TRUE(job.step(0));
             std::uint64_t decided = 0;
             while (job.step(budget)) {
@@ -255,38 +272,63 @@ TEST(GridConversion, EveryScratchTooSmallIsRefusedAndGivingUpRollsBack) {
     const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
     const ConvertOptions options = {6};
     GridConversion job;
-    Words enough(grid_scratch(solid.view(), 6));
-    EXPECT_EQ(enough.size(), 200U); // three grids in one another: 3 x 3 x 8 + 2 x 64
+    Words enough(grid_scratch(solid.view(), 6, 3));
+    // Two grids above the last one: 8 faces x (3 + 3 + 1) and 2 x 64; and 64 rows of 4 words, 4 for winding
+    // numbers up to 24 corners, and a sixteenth.
+    EXPECT_EQ(enough.size(), 56U + 128U + 64U * 8U + 4U);
     HeapPool pool(20000);
     pool.fill_to(3);
     const PoolImage before(pool);
-    ASSERT_EQ(enough.run(job, solid, options, nullptr).status, Status::ok);
+    ASSERT_EQ(enough.run(job, solid, options, nullptr, 3).status, Status::ok);
     const std::uint32_t used = job.scratch_used();
-    EXPECT_GT(used, 3 * solid.face_count());
+    EXPECT_GT(used, 3 * solid.face_count() + 64 * 4);
     for (std::uint32_t size = 0; size < used; ++size) {
         Words scratch(size);
-        const TreeOutcome outcome = scratch.run(job, solid, options, &*pool);
+        const TreeOutcome outcome = scratch.run(job, solid, options, &*pool, 3);
         ASSERT_EQ(outcome.status, Status::scratch_too_small) << size;
         ASSERT_TRUE(before.same_nodes(pool));
     }
     for (std::uint32_t grids = 0;; grids += 3) {
-        ASSERT_EQ(enough.begin(job, solid, options, &*pool), Status::ok);
+        ASSERT_EQ(enough.begin(job, solid, options, &*pool, 3), Status::ok);
         if (!job.step(grids)) break;
         ASSERT_EQ(job.finish().status, Status::unfinished);
         ASSERT_TRUE(before.same_nodes(pool));
     }
     Words exact(used);
-    EXPECT_EQ(exact.run(job, solid, options, nullptr).status, Status::ok);
+    EXPECT_EQ(exact.run(job, solid, options, nullptr, 3).status, Status::ok);
+}
+
+// Winding numbers that outgrow their words where no more scratch is.
+TEST(GridConversion, ScratchForWindingNumbers) {
+    std::vector<Box> nest;
+    for (std::int32_t i = 1; i < 8; ++i) nest.push_back(box(i, 16 - i));
+    const SmallSolid solid = boxes_solid(nest);
+    for (const int depth : {3, 5}) { // the numbers grow in the last grid, and in the one above
+        const ConvertOptions options = {depth, LeafRule::conservative, WindingRule::positive};
+        GridConversion job;
+        Words enough(grid_scratch(solid.view(), depth, 3));
+        ASSERT_EQ(enough.run(job, solid, options, nullptr, 3).status, Status::ok);
+        for (std::uint32_t size = solid.face_count(); size < job.scratch_used(); ++size) {
+            GridConversion small;
+            Words scratch(size);
+            ASSERT_EQ(scratch.run(small, solid, options, nullptr, 3).status, Status::scratch_too_small)
+                << size;
+        }
+    }
 }
 
 TEST(GridConversion, Refusals) {
     const SmallSolid solid = box_solid(box(2, 9));
-    Words scratch(300);
+    Words scratch(grid_scratch(solid.view(), 6));
     GridConversion job;
     EXPECT_EQ(job.finish().status, Status::unfinished);
     EXPECT_FALSE(job.step(1));
     for (const int depth : {-1, 0, 21}) {
         EXPECT_EQ(scratch.run(job, solid, ConvertOptions{depth}, nullptr).status, Status::depth_out_of_range);
+    }
+    for (const int last_levels : {-1, 0, 6}) {
+        EXPECT_EQ(scratch.run(job, solid, ConvertOptions{6}, nullptr, last_levels).status,
+                  Status::depth_out_of_range);
     }
     Words too_few(18);
     ASSERT_EQ(too_few.run(job, solid, ConvertOptions{6}, nullptr).status, Status::scratch_too_small);

@@ -1,4 +1,4 @@
-// Boundary to octree conversion by grids of 64 octants: the tree of Conversion in a fraction of its time, for
+// Boundary to octree conversion by grids of octants: the tree of Conversion in a fraction of its time, for
 // more memory and code.
 #ifndef OSEM_GRID_CONVERT_HPP
 #define OSEM_GRID_CONVERT_HPP
@@ -9,39 +9,60 @@
 
 namespace osem {
 
-/// Grids that lie in one another, from the root down: two levels each, the first one level if depth is odd.
-constexpr int nested_grids(int depth) { return (depth + 1) / 2; }
+/// The last grid may divide an octant into 2^5 octants along each axis, or fewer.
+constexpr int most_grid_levels = 5;
 
-/// Words of scratch that are always enough: for each of the nested grids three a face, and between them 64. A
-/// grid's list holds the faces that meet its octant, so about 3.5 words a face and 64 a level are mostly
-/// enough. Precondition: depth is in [1, 20].
-constexpr std::uint64_t grid_scratch(const Solid& solid, int depth) {
-    const auto grids = static_cast<std::uint64_t>(nested_grids(depth));
-    return 3 * std::uint64_t{solid.face_count} * grids + 64 * (grids - 1);
+/// Levels above the last grids, whose octants are the leaves.
+constexpr int upper_levels(int depth, int last_levels = most_grid_levels) {
+    return depth > last_levels ? depth - last_levels : 0;
+}
+
+/// Grids that lie in one another above the last one, from the root down: two levels each, the first one level
+/// if their levels are odd.
+constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
+
+/// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
+/// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes three words
+/// for each of its 4^last_levels rows, a sixteenth of one more, and one more each time that winding numbers
+/// in it outgrow a power of two from 2 on. As a rule they do not, and a list is as long as what meets its
+/// octant: for 32 x 32 rows 4160 words, and about 3.5 a face, are mostly enough. Preconditions: depth is in
+/// [1, 20], last_levels in [1, 5].
+constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
+    const int last = last_levels < depth ? last_levels : depth;
+    const auto grids = static_cast<std::uint64_t>(nested_grids(upper_levels(depth, last)));
+    std::uint64_t words_a_row = 4; // octants met; first winding numbers; and all, from -2 to 1
+    for (std::uint32_t most = solid.corner_count; most > 1; most >>= 1) ++words_a_row;
+    const std::uint64_t rows = std::uint64_t{1} << (2 * last);
+    const std::uint64_t upper_rows = grids == 0 ? 0 : 16 * words_a_row;
+    const std::uint64_t last_grid = rows * words_a_row + rows / 16;
+    return std::uint64_t{solid.face_count} * (3 * grids + 1) + 64 * grids +
+           (last_grid > upper_rows ? last_grid : upper_rows);
 }
 
 /// A conversion in progress: as Conversion, and with the same tree, node for node at the same places of the
 /// pool. It holds all of its state, so it may be a static object.
 ///
-/// An octant that faces meet is divided into 4 x 4 x 4 octants at once (the root into 2 x 2 x 2 if the depth
-/// is odd). For triangles and convex quadrangles the separating axes of all 64 are found by additions, as
-/// masks: the bounding box, three projections to squares, the plane. The reference points' winding numbers
-/// are added up side by side. Other faces are classified octant by octant. With centre leaves the reference
-/// points are the leaves' centres, so at full depth nothing is classified. See kernel/DESIGN.md.
+/// An octant that faces meet is divided into 4 x 4 x 4 octants at once (the root into 2 x 2 x 2 if that comes
+/// out even), and at last into up to 32 x 32 x 32 leaves. Which octants a triangle or a convex quadrangle
+/// meets is found row by row: the bounding box, three projections to squares and the plane each leave a range
+/// of a row, and their ends go from row to row by additions. So do the places where rows of reference points
+/// cross a face; winding numbers are added up a row at once. Other faces are classified octant by octant.
+/// With centre leaves the reference points are the leaves' centres, so the last grid classifies nothing. See
+/// kernel/DESIGN.md.
 class GridConversion {
   public:
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
-    /// Scratch: at least 3 * solid.view().face_count words, grid_scratch(solid.view(), depth) for certain; in
-    /// use until finish. A conversion that was not finished is given up first. Status: ok;
-    /// depth_out_of_range; scratch_too_small for the faces. When not ok, nothing has begun.
+    /// A last grid has 2^last_levels octants along each axis, 1 to 5: the more, the faster, and the more
+    /// scratch. Scratch: at least a list of all faces, grid_scratch(solid.view(), depth, last_levels) words
+    /// for certain; in use until finish. A conversion that was not finished is given up first. Status: ok;
+    /// depth_out_of_range, last_levels too; scratch_too_small for the faces. When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
-                 std::uint32_t scratch_size, NodePool* pool);
+                 std::uint32_t scratch_size, NodePool* pool, int last_levels = most_grid_levels);
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
-    /// grid above, and each triangle or convex quadrangle that meets the grid's octant against its 64
-    /// octants; for other faces up to 64 classifications and 21 winding numbers each. At full depth also, for
-    /// each part in which conservative octants that no face meets hang together, up to three crossing tests a
-    /// face: two parts as a rule, 32 at most.
+    /// grid above; each triangle or convex quadrangle that meets the grid's octant against the rows that it
+    /// is seen to meet and to cross; for other faces a classification of each octant near their plane, and
+    /// each edge against each row of rows; in a last grid also a few steps a row and leaf on the surface.
     bool step(std::uint32_t grids);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.
@@ -78,13 +99,15 @@ class GridConversion {
     void visit_next();
     void visit(const Point& corner, std::uint32_t first, std::uint32_t faces, std::int32_t winding);
     void open_child(Frame& frame, unsigned child);
+    void visit_last(const Point& corner, std::uint32_t first, std::uint32_t faces, std::int32_t winding);
     bool select(const Frame& above, unsigned place, std::uint32_t first, std::uint32_t& faces);
     bool reserve(std::uint32_t first, std::uint32_t words);
     void overflow();
-    void set_leaves(std::uint64_t may, std::uint64_t must, std::uint64_t open, bool whole);
     void close();
-    int level_of(int grid) const { return options_.depth - 2 * (nested_grids(options_.depth) - 1 - grid); }
+    int levels_above() const { return options_.depth - last_levels_; } ///< of the last grid
+    int level_of(int grid) const { return levels_above() - 2 * (nested_grids(levels_above()) - 1 - grid); }
     bool is_of_eight(int grid) const { return level_of(grid) == 1; }
+    bool is_last() const { return grids_ == nested_grids(levels_above()); }
     std::int32_t offset() const {
         return options_.leaves == LeafRule::centre ? root_side >> (options_.depth + 1) : 0;
     }
@@ -95,18 +118,19 @@ class GridConversion {
     std::uint32_t scratch_size_ = 0;
     std::uint32_t scratch_used_ = 0;
     std::uint64_t visited_ = 0;
+    int last_levels_ = 1;
     int grids_ = 0; ///< that lie in one another, the innermost one's frame last
     bool started_ = false;
     bool overflowed_ = false;
-    Frame frames_[nested_grids(max_depth) - 1] = {};
-    std::uint64_t lanes_[32] = {}; ///< winding numbers being added up, a bit of all 64 each
+    Frame frames_[nested_grids(max_depth - 1)] = {};
     TreeBuilder builder_;
 };
 
 /// Converts in one call: begin, step to the end, finish; status and cost are theirs. `job` is the working
 /// memory.
 TreeOutcome convert(GridConversion& job, const CheckedSolid& solid, const ConvertOptions& options,
-                    std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool);
+                    std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool,
+                    int last_levels = most_grid_levels);
 
 } // namespace osem
 

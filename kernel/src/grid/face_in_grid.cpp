@@ -1,131 +1,10 @@
 #include "grid/face_in_grid.hpp"
 
 #include "classify/box.hpp"
-#include "geometry/plane.hpp"
-#include "geometry/sight.hpp"
+#include "grid/count_below.hpp"
+#include "grid/seen_edge.hpp"
 
 namespace osem {
-
-namespace {
-
-constexpr int u_of[3] = {1, 0, 0}; // what is seen along an axis: the other two in ascending order
-constexpr int v_of[3] = {2, 2, 1};
-
-// The edge from a to b of a convex face, and a grid, as seen along an axis: the function that is 0 on the
-// edge's line and below 0 to its left. To the left or to the right, as `inside` says (1 or -1), lies the
-// face.
-class SeenEdge {
-  public:
-    SeenEdge(const Point& a, const Point& b, const Point& origin) {
-        for (int axis = 0; axis < 3; ++axis) {
-            way_[axis] = b.at[axis] - a.at[axis];
-            from_[axis] = origin.at[axis] - a.at[axis];
-        }
-    }
-
-    bool is_seen(int axis) const { return way_[u_of[axis]] != 0 || way_[v_of[axis]] != 0; }
-
-    // The squares that reach to the face's side of the edge; the origin is the grid's corner.
-    unsigned reaching(int axis, int inside, int shift, const Squares& squares) const {
-        SquareFunction function = seen(axis, inside, shift, 0);
-        function.value +=
-            (function.step_u < 0 ? function.step_u : 0) + (function.step_v < 0 ? function.step_v : 0);
-        return function.below(squares);
-    }
-
-    // The squares whose reference point lies there; the origin is the first one, which is moved by (e, e^2).
-    unsigned holding(int axis, int inside, int shift, const Squares& squares) const {
-        const std::int32_t u = inside * way_[v_of[axis]];
-        const std::int32_t v = -inside * way_[u_of[axis]];
-        return seen(axis, inside, shift, u < 0 || (u == 0 && v < 0) ? 1 : 0).below(squares);
-    }
-
-  private:
-    // Products of differences of vertices: below 2^42. Steps are 2^20 at most and no square is five of them
-    // away along either axis, so a value that is 2^24 or more keeps its sign and may be clipped.
-    SquareFunction seen(int axis, int inside, int shift, int tie) const {
-        constexpr std::int64_t most = std::int64_t{1} << 24;
-        const int u = u_of[axis];
-        const int v = v_of[axis];
-        const std::int64_t exact = std::int64_t{way_[v]} * from_[u] - std::int64_t{way_[u]} * from_[v];
-        const std::int64_t value = ((inside < 0 ? -exact : exact) - tie) >> shift;
-        return {static_cast<std::int32_t>(value > most    ? most
-                                          : value < -most ? -most
-                                                          : value),
-                inside * way_[v], -inside * way_[u]};
-    }
-
-    std::int32_t way_[3];
-    std::int32_t from_[3];
-};
-
-// On which side of its edges a face lies as seen along an axis, the edges running as its corners: 1 for the
-// left, -1 for the right, 0 when they are all in one line. (x, z) is left-handed as seen along y.
-int inside_of(const Plane& plane, int axis) {
-    const int sign = plane.normal(axis).sign();
-    return axis == axis_y ? -sign : sign;
-}
-
-// Those of a set of octants through which a plane passes. The value at the grid's corner is at most
-// 3 * (2^61 + 2^41), divided by the octants' side or not; steps are 2^41 at most, and fewer than 20 are
-// taken.
-std::uint64_t passed(const Plane& plane, const OctantGrid& grid, std::uint64_t set) {
-    const std::int64_t value = plane.at(grid.corner).value();
-    std::int64_t least = value >> grid.shift;       // of an octant: below 0 when the plane is above it
-    std::int64_t greatest = (-value) >> grid.shift; // turned: below 0 when the plane is below it
-    std::int64_t step[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        step[axis] = plane.normal(axis).value();
-        (step[axis] < 0 ? least : greatest) += step[axis] < 0 ? step[axis] : -step[axis];
-    }
-    std::uint64_t result = 0;
-    for (unsigned row = 0; row < 16; ++row) {
-        const unsigned octants = static_cast<unsigned>(set >> (4 * row)) & 15U;
-        if (octants != 0) {
-            const unsigned met = below_zero(least, step[0]) & below_zero(greatest, -step[0]);
-            result |= std::uint64_t{octants & met} << (4 * row);
-        }
-        const std::int64_t next = (row & 3U) != 3 ? step[1] : step[2] - 3 * step[1];
-        least += next;
-        greatest -= next;
-    }
-    return result;
-}
-
-// On which side of a face's plane the reference points of a grid lie. Values are bounded
-// as in `passed`.
-class Sides {
-  public:
-    Sides(const Plane& plane, const OctantGrid& grid) {
-        std::int64_t tie = 0; // what decides on the plane: the first component of the normal that is not 0
-        for (int axis = 0; axis < 3; ++axis) {
-            step_[axis] = plane.normal(axis).value();
-            if (tie == 0) tie = step_[axis];
-        }
-        value_ = (plane.at(grid.reference(0, 0, 0)).value() - (tie < 0 ? 1 : 0)) >> grid.shift;
-    }
-
-    // The reference points behind the plane on a ray along an axis: those on another side than the ray's
-    // first one. Seen from there, they are all that the ray leads to: a plane of points along z, a row along
-    // x.
-    std::uint64_t behind(int axis, int u, int v) const {
-        unsigned across = below_zero(value_ + u * step_[u_of[axis]] + v * step_[v_of[axis]], step_[axis]);
-        if ((across & 1U) != 0) across ^= 15U;
-        if (axis == axis_x) return std::uint64_t{across} << (4 * u + 16 * v);
-        if (axis == axis_y) return std::uint64_t{spread(across)} * 15U << (16 * v);
-        std::uint64_t set = 0;
-        for (unsigned k = 1; k < 4; ++k) {
-            if ((across >> k & 1U) != 0) set |= std::uint64_t{0xffff} << (16 * k);
-        }
-        return set;
-    }
-
-  private:
-    std::int64_t value_;
-    std::int64_t step_[3];
-};
-
-} // namespace
 
 FaceInGrid::FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid)
     : solid_(solid), grid_(grid), face_(face), first_ring_(solid.first_ring(face)),
@@ -140,27 +19,12 @@ FaceInGrid::FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid&
     }
 }
 
-bool FaceInGrid::is_between_octants() const {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (low_.at[axis] == high_.at[axis] && (low_.at[axis] & (grid_.side() - 1)) == 0) return true;
-    }
-    return false;
-}
-
-namespace {
-
-IndexRange clipped(int first, int last, const OctantGrid& grid) {
-    return {first < 0 ? 0 : first, last > grid.last ? grid.last : last};
-}
-
-} // namespace
-
 // Triangles are; and so are quadrangles that turn the same way at every corner: exterior angles below 180
 // degrees add up to 360. (Five could add up to 720.) Seen along an axis that the normal is not across, turns
 // keep their sign.
 bool FaceInGrid::is_convex(const Plane& plane) const {
     if (end_ - corners_ > 4) return false; // as those of two rings are
-    if (corner_count() == 3) return true;
+    if (end_ - corners_ == 3) return true;
     int axis = 0;
     while (axis < 2 && plane.normal(axis).value() == 0) ++axis;
     const auto along = [&](int from, int seen) -> std::int64_t {
@@ -177,141 +41,205 @@ bool FaceInGrid::is_convex(const Plane& plane) const {
     return turns == 4 || turns == -4;
 }
 
-// Which open intervals of the grid along an axis the face overlaps: it must reach beyond both ends.
-IndexRange FaceInGrid::overlapped(int axis) const {
-    const std::int32_t corner = grid_.corner.at[axis];
-    return clipped((low_.at[axis] - corner) >> grid_.shift, (high_.at[axis] - 1 - corner) >> grid_.shift,
-                   grid_);
-}
-
-// Which reference points lie between its ends: moved by an infinitesimal, they are above an end with which
-// they are level.
-IndexRange FaceInGrid::between(int axis) const {
-    const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
-    return clipped((low_.at[axis] - first + grid_.side() - 1) >> grid_.shift,
-                   (high_.at[axis] - 1 - first) >> grid_.shift, grid_);
-}
-
-std::uint64_t FaceInGrid::octants_met() const {
-    const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
-    if (range[0].empty() || range[1].empty() || range[2].empty()) return 0;
-    const Plane plane(solid_, corners_, end_);
-    if (!is_convex(plane)) return classified(range);
-    // A convex face between the ends of one interval along an axis has inner points in the open interval
-    // wherever it has any: it meets what it is seen to meet along that axis. Between two such pairs it meets
-    // all in the range.
-    int first_axis = 0;
-    int end_axis = 3;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!is_within(axis, range[axis])) continue;
-        if (end_axis - first_axis == 1) return octants_in(range);
-        first_axis = axis;
-        end_axis = axis + 1;
-    }
-    // The separating axes of a box and a convex face: the box's own are the ranges; those across an edge are
-    // the squares' as seen along each axis; and the plane.
-    unsigned met[3] = {0xffff, 0xffff, 0xffff};
-    cut_squares(plane, range, first_axis, end_axis, met);
-    const std::uint64_t set =
-        octants_in(range) & behind_x(met[axis_x]) & behind_y(met[axis_y]) & behind_z(met[axis_z]);
-    return end_axis - first_axis == 1 || set == 0 || plane.is_null() ? set : passed(plane, grid_, set);
-}
-
-// Takes from the squares seen along some axes those that the face is not seen to meet.
-void FaceInGrid::cut_squares(const Plane& plane, const IndexRange (&range)[3], int first_axis, int end_axis,
-                             unsigned (&met)[3]) const {
-    const Point* a = &solid_.vertices[end_[-1]];
-    for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {
-        const Point* b = &solid_.vertices[*corner];
-        const SeenEdge edge(*a, *b, grid_.corner);
-        a = b;
-        for (int axis = first_axis; axis < end_axis; ++axis) {
-            if (!edge.is_seen(axis)) continue; // a null axis separates nothing
-            const Squares squares = {range[u_of[axis]], range[v_of[axis]]};
-            // Of a ring seen in one line some edges run one way and some the other: both sides are looked at.
-            const int inside = inside_of(plane, axis) < 0 ? -1 : 1;
-            met[axis] &= edge.reaching(axis, inside, grid_.shift, squares);
-        }
-    }
-}
-
 // Whether the face lies between the ends of the only interval in a range along an axis.
 bool FaceInGrid::is_within(int axis, const IndexRange& range) const {
     const std::int32_t low = grid_.corner.at[axis] + (range.first << grid_.shift);
-    return range.first == range.last && low_.at[axis] >= low && high_.at[axis] <= low + grid_.side();
+    return range.first == range.last && low_.at[axis] >= low && high_.at[axis] <= low + grid_.length();
+}
+
+// Squares of the grid as seen along an axis, those that a face is seen to meet: a range along u for each slab
+// along v. Its ends are kept within one square beside the grid.
+class FaceInGrid::Slabs {
+  public:
+    explicit Slabs(const OctantGrid& grid) : grid_(grid) {}
+
+    void fill(const IndexRange& slabs, const IndexRange& range) {
+        for (int slab = slabs.first; slab <= slabs.last; ++slab) {
+            first_[slab] = static_cast<std::int8_t>(range.first);
+            last_[slab] = static_cast<std::int8_t>(range.last);
+        }
+    }
+    // What the open slab holds reaches to a line along v, the `from`th if it is exactly there, otherwise
+    // before it; to it from the right, or from the left.
+    void reach_left(int slab, int from, bool exactly) {
+        const int square = exactly ? from : from - 1;
+        if (square < first_[slab]) first_[slab] = static_cast<std::int8_t>(square);
+    }
+    void reach_right(int slab, int from) {
+        if (from - 1 > last_[slab]) last_[slab] = static_cast<std::int8_t>(from - 1);
+    }
+    void reach_vertex(int slab, std::int32_t distance, bool left) {
+        const int from = clipped((distance + grid_.length() - 1) >> grid_.shift, 0, grid_.side() + 1);
+        if (left) {
+            reach_left(slab, from, (distance & (grid_.length() - 1)) == 0);
+        } else {
+            reach_right(slab, from);
+        }
+    }
+    IndexRange at(int slab) const { return {first_[slab], last_[slab]}; }
+
+  private:
+    const OctantGrid& grid_;
+    std::int8_t first_[32];
+    std::int8_t last_[32];
+};
+
+// A convex face has inner points in an open slab wherever it has any; what it is seen to meet of a slab is in
+// a row, from where its left edges in the slab reach least to where its right ones reach most. Seen as a line
+// its edges are both.
+void FaceInGrid::see(int u, int v, const Plane& plane, const IndexRange (&range)[3], Slabs& slabs) const {
+    if (is_within(u, range[u]) || is_within(v, range[v])) return slabs.fill(range[v], range[u]);
+    slabs.fill(range[v], {grid_.side() + 1, -1});
+    const int axis = axis_x + axis_y + axis_z - u - v;
+    const int turn = plane.normal(axis).sign() * (axis == axis_y ? -1 : 1); // (x, z) is left-handed
+    const Point* a = &solid_.vertices[end_[-1]];
+    for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {
+        const Point* b = &solid_.vertices[*corner];
+        const SeenEdge edge(*a, *b, u, v);
+        a = b;
+        const bool is_right = edge.rises == (turn > 0);
+        if (turn == 0 || !is_right) add_edge(u, v, edge, true, slabs);
+        if (turn == 0 || is_right) add_edge(u, v, edge, false, slabs);
+    }
+}
+
+// In each slab a left edge reaches least where the slab's lower line cuts it, or its upper line, as the edge
+// leans; or at its end.
+void FaceInGrid::add_edge(int u, int v, const SeenEdge& edge, bool left, Slabs& slabs) const {
+    const std::int32_t first_u = grid_.corner.at[u];
+    const std::int32_t first_v = grid_.corner.at[v];
+    const std::int32_t low = (edge.v - first_v) >> grid_.shift; // the slabs of its ends
+    const std::int32_t high = (edge.end_v - 1 - first_v) >> grid_.shift;
+    int slab = clipped(low, 0, grid_.side());
+    int last = clipped(high, -1, grid_.side() - 1);
+    if (slab > last) return;
+    const bool at_lower = left == (edge.run() >= 0);
+    if (at_lower && low == slab) slabs.reach_vertex(slab++, edge.u - first_u, left);
+    if (!at_lower && high == last) slabs.reach_vertex(last--, edge.end_u - first_u, left);
+    if (slab > last) return;
+    const std::int64_t value = edge.at(first_u, first_v);
+    const bool may_meet = (value & (grid_.length() - 1)) == 0; // the rest that the values below leave out
+    const int line = at_lower ? slab : slab + 1;
+    const std::int32_t guess = low == slab ? edge.u : edge.u / 2 + edge.end_u / 2;
+    CountBelow<std::int32_t> passed(scaled(value, grid_.shift) - line * edge.run(), edge.rise(),
+                                    grid_.side() + 1,
+                                    clipped((guess - first_u) >> grid_.shift, 0, grid_.side() + 1));
+    for (;; passed.raise(-edge.run())) {
+        if (left) {
+            slabs.reach_left(slab, passed.count(), may_meet && passed.next_value() == 0);
+        } else {
+            slabs.reach_right(slab, passed.count());
+        }
+        if (slab++ == last) return;
+    }
+}
+
+namespace {
+
+// The octants of the rows along x through which a plane passes, row by row. The normal is turned so that it
+// does not point down: then those that reach below the plane are the row's first ones, and those that reach
+// above it the last ones. Values are at most 3 * (2^61 + 2^41), divided by the octants' side or not; steps
+// are 2^41 at most, and fewer than 100 are taken.
+class PassedOctants {
+  public:
+    PassedOctants(const Plane& plane, const OctantGrid& grid, const IndexRange (&range)[3])
+        : not_above_(rows(plane, grid, 1), grid.side(), range[0].first, range[1].first, range[2].first),
+          below_(rows(plane, grid, -1), grid.side(), range[0].first, range[1].first, range[2].first) {}
+
+    CountOverPlane::Count not_above(int j, int k) { return not_above_.at(j, k); }
+    CountOverPlane::Count below(int j, int k) { return below_.at(j, k); }
+    std::int64_t step_along_y() const { return below_.step_u(); }
+
+  private:
+    // The values at the octants' corner where they are greatest, or, with sign -1, least; the greatest ones
+    // rounded down from just below.
+    static PlaneOfRows rows(const Plane& plane, const OctantGrid& grid, int sign) {
+        const int turn = plane.normal(0).value() < 0 ? -1 : 1;
+        const std::int64_t value = turn * plane.at(grid.corner).value();
+        PlaneOfRows rows = {sign < 0 ? value >> grid.shift : ~(-value >> grid.shift),
+                            turn * plane.normal(0).value(), turn * plane.normal(1).value(),
+                            turn * plane.normal(2).value()};
+        const std::int64_t steps[3] = {rows.step, rows.step_u, rows.step_v};
+        for (const std::int64_t step : steps) {
+            if ((step < 0) == (sign < 0)) rows.first += step;
+        }
+        return rows;
+    }
+
+    CountOverPlane not_above_; // how many of a row do not reach above the plane
+    CountOverPlane below_;     // how many reach below it
+};
+
+} // namespace
+
+// The separating axes of a box and a convex face: the box's own are the ranges; those across an edge are the
+// squares' as seen along each axis; and the plane. A face between the ends of one interval along an axis
+// meets what it is seen to meet along that axis; and between two such pairs it meets all in its box.
+void FaceInGrid::mark(std::uint32_t* rows) const {
+    const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
+    if (range[0].empty() || range[1].empty() || range[2].empty()) return;
+    const bool within[3] = {is_within(0, range[0]), is_within(1, range[1]), is_within(2, range[2])};
+    if (end_ - corners_ == 3 && (within[0] ? within[1] || within[2] : within[1] && within[2])) {
+        return mark_all(range, rows);
+    }
+    const Plane plane(solid_, corners_, end_);
+    if (!is_convex(plane)) return classify_octants(plane, range, rows);
+    Slabs x_by_y(grid_);
+    Slabs x_by_z(grid_);
+    Slabs y_by_z(grid_);
+    see(axis_x, axis_y, plane, range, x_by_y);
+    see(axis_x, axis_z, plane, range, x_by_z);
+    see(axis_y, axis_z, plane, range, y_by_z);
+    const bool is_cut = !plane.is_null() && !within[0] && !within[1] && !within[2];
+    PassedOctants passed(plane, grid_, range);
+    for (int k = range[2].first; k <= range[2].last; ++k) {
+        const IndexRange x = common(x_by_z.at(k), range[0]);
+        const IndexRange y = common(y_by_z.at(k), range[1]);
+        if (y.empty()) continue;
+        auto begin = passed.not_above(y.first, k);
+        auto end = passed.below(y.first, k);
+        for (int j = y.first; j <= y.last; ++j) {
+            IndexRange met = common(x, x_by_y.at(j));
+            if (is_cut) {
+                met = common(met, {begin.count(), end.count() - 1});
+                begin.raise(passed.step_along_y());
+                end.raise(passed.step_along_y());
+            }
+            if (!met.empty()) rows[grid_.row(j, k)] |= met.bits();
+        }
+    }
+}
+
+void FaceInGrid::mark_all(const IndexRange (&range)[3], std::uint32_t* rows) const {
+    const std::uint32_t bits = range[0].bits();
+    for (int k = range[2].first; k <= range[2].last; ++k) {
+        for (int j = range[1].first; j <= range[1].last; ++j) rows[grid_.row(j, k)] |= bits;
+    }
 }
 
 // The same for a face of any rings, octant by octant.
-std::uint64_t FaceInGrid::classified(const IndexRange (&range)[3]) const {
-    std::uint64_t set = 0;
-    for (std::uint64_t left = octants_in(range); left != 0; left &= left - 1) {
-        const auto place = static_cast<int>(lowest_of(left));
-        Box box = {grid_.at(place & 3, place >> 2 & 3, place >> 4), {}};
-        for (int axis = 0; axis < 3; ++axis) box.hi.at[axis] = box.lo.at[axis] + grid_.side();
-        if (classify_box(solid_, face_, box).meets) set |= std::uint64_t{1} << place;
-    }
-    return set;
-}
-
-// Along y and z only from the first points along x, and along z only from the first along y.
-GridRays FaceInGrid::rays() const {
-    const IndexRange x = between(axis_x);
-    const IndexRange y = between(axis_y);
-    const IndexRange z = between(axis_z);
-    const auto first = [](const IndexRange& range) {
-        return IndexRange{range.first, range.last < 0 ? -1 : 0};
-    };
-    return {{{y, z}, {first(x), z}, {first(x), first(y)}}};
-}
-
-void FaceInGrid::add_crossings(WindingLanes& windings) const {
-    const GridRays rays = this->rays();
-    if (rays.none()) return;
-    const Plane plane(solid_, corners_, end_);
-    if (!is_convex(plane)) return add_ray_by_ray(rays, windings);
-    for (int axis = 0; axis < 3; ++axis) add_along(axis, plane, rays.seen[axis], windings);
-}
-
-void FaceInGrid::add_along(int axis, const Plane& plane, const Squares& squares,
-                           WindingLanes& windings) const {
-    const int inside = inside_of(plane, axis);
-    if (squares.empty() || inside == 0) return;
-    unsigned through = squares.all();
-    const Point first = grid_.reference(0, 0, 0);
-    const Point* a = &solid_.vertices[end_[-1]];
-    for (const std::uint32_t* corner = corners_; corner != end_ && through != 0; ++corner) {
-        const Point* b = &solid_.vertices[*corner];
-        through &= SeenEdge(*a, *b, first).holding(axis, inside, grid_.shift, squares);
-        a = b;
-    }
-    if (through == 0) return;
-    const Sides sides(plane, grid_);
-    std::uint64_t behind = 0;
-    for (; through != 0; through &= through - 1) {
-        const auto ray = static_cast<int>(lowest_of(through));
-        behind |= sides.behind(axis, ray & 3, ray >> 2);
-    }
-    windings.add(behind, plane.normal(axis).sign() < 0); // against the normal, into the solid
-}
-
-// The same for a face of any rings.
-void FaceInGrid::add_ray_by_ray(const GridRays& rays, WindingLanes& windings) const {
-    const Sides sides(Plane(solid_, corners_, end_), grid_);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (unsigned left = rays.seen[axis].all(); left != 0; left &= left - 1) {
-            const auto ray = static_cast<int>(lowest_of(left));
-            int index[3] = {0, 0, 0};
-            index[u_of[axis]] = ray & 3;
-            index[v_of[axis]] = ray >> 2;
-            const Point from = grid_.reference(index[0], index[1], index[2]);
-            std::int32_t winding =
-                winding_of_rings(solid_, first_ring_, ring_end_, Sight(from, static_cast<Axis>(axis)));
-            if (axis != axis_y) winding = -winding;
-            const std::uint64_t behind = sides.behind(axis, ray & 3, ray >> 2);
-            for (; winding > 0; --winding) windings.add(behind, true);
-            for (; winding < 0; ++winding) windings.add(behind, false);
+void FaceInGrid::classify_octants(const Plane& plane, const IndexRange (&range)[3],
+                                  std::uint32_t* rows) const {
+    PassedOctants passed(plane, grid_, range);
+    for (int k = range[2].first; k <= range[2].last; ++k) {
+        for (int j = range[1].first; j <= range[1].last; ++j) {
+            IndexRange x = range[0];
+            if (!plane.is_null()) {
+                x = common(x, {passed.not_above(j, k).count(), passed.below(j, k).count() - 1});
+            }
+            for (int i = x.first; i <= x.last; ++i) {
+                Box box = {grid_.at(i, j, k), {}};
+                for (int axis = 0; axis < 3; ++axis) box.hi.at[axis] = box.lo.at[axis] + grid_.length();
+                if (classify_box(solid_, face_, box).meets) rows[grid_.row(j, k)] |= std::uint32_t{1} << i;
+            }
         }
     }
+}
+
+std::uint64_t FaceInGrid::octants_met() const {
+    std::uint32_t rows[16] = {};
+    mark(rows);
+    return as_mask(rows, grid_.levels);
 }
 
 } // namespace osem

@@ -1,51 +1,54 @@
-// One face against the 64 octants of a grid at once.
+// One face against the octants of a grid.
 #ifndef OSEM_GRID_FACE_IN_GRID_HPP
 #define OSEM_GRID_FACE_IN_GRID_HPP
 
 #include "geometry/plane.hpp"
-#include "grid/linear.hpp"
 #include "grid/octant_grid.hpp"
-#include "grid/winding_lanes.hpp"
+#include "grid/row_windings.hpp"
 #include "osem/solid.hpp"
 
 namespace osem {
 
-/// Rays along an axis from the grid's first reference points along it: those that may pass through a face.
-struct GridRays {
-    Squares seen[3]; ///< as squares seen along each axis
-
-    bool none() const { return seen[0].empty() && seen[1].empty() && seen[2].empty(); }
-};
+struct SeenEdge;
 
 /// A face and a grid, which must both outlive it. Costs: O(corners of the face).
 class FaceInGrid {
   public:
     FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid);
 
-    /// Whether it lies in a plane between octants of the grid. If no face that meets a grid's octant does,
-    /// two octants side by side that no face meets are on the same side of the surface.
-    bool is_between_octants() const;
-
-    /// The octants of the grid that it meets: as classify of each. Cost unless it is a triangle or a convex
-    /// quadrangle: a classification of each octant that the face's bounding box overlaps.
+    /// The octants of a grid of up to 64 that it meets: as mark.
     std::uint64_t octants_met() const;
 
+    /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
+    /// quadrangles: a few steps for each row of octants that it is seen to meet along x, and for each row of
+    /// squares that it is seen to meet along y and z. For other faces: a classification of each octant in the
+    /// face's bounding box through which its plane passes.
+    void mark(std::uint32_t* rows) const;
+
     /// Adds what it adds to the winding number on the way from the reference point of the grid's corner
-    /// octant to every other one: along z first, then y, then x, as crossing of each step.
-    void add_crossings(WindingLanes& windings) const;
+    /// octant to every other one: along z first, then y, then x, as crossing of each step. Cost: a few steps
+    /// for each row that it crosses; for other faces than above also each edge for each row of rows.
+    void add_crossings(RowWindings& windings) const;
 
   private:
-    int corner_count() const { return static_cast<int>(end_ - corners_); }
+    class Slabs;
+    class Passages;
     bool is_convex(const Plane& plane) const;
-    IndexRange overlapped(int axis) const;
+    // It must reach beyond both ends of an open interval.
+    IndexRange overlapped(int axis) const {
+        return grid_.octants_between(axis, low_.at[axis], high_.at[axis]);
+    }
     bool is_within(int axis, const IndexRange& range) const;
-    IndexRange between(int axis) const;
-    GridRays rays() const;
-    std::uint64_t classified(const IndexRange (&range)[3]) const;
-    void cut_squares(const Plane& plane, const IndexRange (&range)[3], int first_axis, int end_axis,
-                     unsigned (&met)[3]) const;
-    void add_along(int axis, const Plane& plane, const Squares& squares, WindingLanes& windings) const;
-    void add_ray_by_ray(const GridRays& rays, WindingLanes& windings) const;
+    IndexRange between(int axis) const { return grid_.points_between(axis, low_.at[axis], high_.at[axis]); }
+    void mark_all(const IndexRange (&range)[3], std::uint32_t* rows) const;
+    void see(int u, int v, const Plane& plane, const IndexRange (&range)[3], Slabs& slabs) const;
+    void add_edge(int u, int v, const SeenEdge& edge, bool left, Slabs& slabs) const;
+    void classify_octants(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows) const;
+    void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings) const;
+    void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v,
+                     Passages& passages) const;
+    void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages) const;
+    void add_ring(std::uint32_t r, int axis, int row, std::int32_t (&change)[33]) const;
 
     const Solid& solid_;
     const OctantGrid& grid_;

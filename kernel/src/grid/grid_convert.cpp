@@ -3,72 +3,46 @@
 #include "classify/crossing.hpp"
 #include "convert/inside.hpp"
 #include "grid/face_in_grid.hpp"
+#include "grid/leaves.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
 
 namespace {
 
-constexpr std::uint32_t entry_words = 3;    // a face and the octants that it meets, the low half first
 constexpr std::uint32_t winding_words = 64; // of the reference points of the octants met, in Morton order
+
+// Words an entry of a list: a face; above the last grid also the octants that it meets, the low half first.
+constexpr std::uint32_t entry_words(bool last) { return last ? 1 : 3; }
 
 // The faces that meet a grid's octant.
 struct GridList {
     const Solid& solid;
     std::uint32_t* first;
     const std::uint32_t* end;
+    std::uint32_t step; // words an entry
 
-    // Notes for every face which octants it meets; the union. Also whether some face lies between octants.
-    std::uint64_t meet(const OctantGrid& grid, bool& walls) const {
+    // Notes for every face which octants it meets; the union. Adds what is crossed.
+    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings) const {
         std::uint64_t met = 0;
-        for (std::uint32_t* entry = first; entry != end; entry += entry_words) {
+        for (std::uint32_t* entry = first; entry != end; entry += step) {
             const FaceInGrid face(solid, *entry, grid);
             const std::uint64_t octants = face.octants_met();
             entry[1] = static_cast<std::uint32_t>(octants);
             entry[2] = static_cast<std::uint32_t>(octants >> 32);
             met |= octants;
-            walls = walls || face.is_between_octants();
+            face.add_crossings(windings);
         }
         return met;
     }
 
-    void add_crossings(const OctantGrid& grid, WindingLanes& windings) const {
-        for (const std::uint32_t* entry = first; entry != end; entry += entry_words) {
-            FaceInGrid(solid, *entry, grid).add_crossings(windings);
+    // The same, the octants met in rows, if they are wanted.
+    void meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met) const {
+        for (const std::uint32_t* entry = first; entry != end; entry += step) {
+            const FaceInGrid face(solid, *entry, grid);
+            if (met != nullptr) face.mark(met);
+            face.add_crossings(windings);
         }
-    }
-
-    // The octants inside among those that no face meets, when no face lies between octants: one winding
-    // number for each of the parts in which they hang together.
-    std::uint64_t inside_beside(std::uint64_t met, const OctantGrid& grid, std::int32_t winding,
-                                WindingRule rule) const {
-        const IndexRange all = {0, grid.last};
-        std::uint64_t left = octants_in({all, all, all}) & ~met;
-        std::uint64_t inside = 0;
-        while (left != 0) {
-            const unsigned place = lowest_of(left);
-            const std::uint64_t part = grown(std::uint64_t{1} << place, left);
-            if (is_inside(rule, winding + crossings_to(place, grid))) inside |= part;
-            left &= ~part;
-        }
-        return inside;
-    }
-
-  private:
-    // How the winding number changes from the grid's first reference point to another one.
-    std::int32_t crossings_to(unsigned place, const OctantGrid& grid) const {
-        std::int32_t change = 0;
-        Point from = grid.corner;
-        for (int axis = 2; axis >= 0; --axis) {
-            const auto steps = static_cast<std::int32_t>(place >> (2 * axis) & 3U);
-            if (steps == 0) continue;
-            const std::int32_t length = steps << grid.shift;
-            for (const std::uint32_t* entry = first; entry != end; entry += entry_words) {
-                change += crossing(solid, *entry, from, static_cast<Axis>(axis), length);
-            }
-            from.at[axis] += length;
-        }
-        return change;
     }
 };
 
@@ -79,12 +53,17 @@ std::uint8_t children_of(std::uint64_t set, unsigned child) {
 } // namespace
 
 Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
-                             std::uint32_t scratch_size, NodePool* pool) {
+                             std::uint32_t scratch_size, NodePool* pool, int last_levels) {
     builder_.abandon();
     overflowed_ = false;
     const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
     if (options.depth < 1 || options.depth > greatest_depth) return Status::depth_out_of_range;
-    if (scratch_size < std::uint64_t{entry_words} * solid.view().face_count) return Status::scratch_too_small;
+    if (last_levels < 1 || last_levels > most_grid_levels) return Status::depth_out_of_range;
+    const bool root_is_last = upper_levels(options.depth, last_levels) == 0;
+    if (scratch_size < std::uint64_t{entry_words(root_is_last)} * solid.view().face_count) {
+        return Status::scratch_too_small;
+    }
+    last_levels_ = last_levels < options.depth ? last_levels : options.depth;
     solid_ = solid.view();
     options_ = options;
     scratch_ = scratch;
@@ -128,12 +107,13 @@ void GridConversion::visit_root() {
     Point start = {{-1, 0, 0}};
     for (int axis = 1; axis < 3; ++axis) start.at[axis] = offset();
     std::int32_t winding = 0;
+    const std::uint32_t step = entry_words(is_last());
     std::uint32_t* entry = scratch_;
-    for (std::uint32_t face = 0; face < solid_.face_count; ++face, entry += entry_words) {
+    for (std::uint32_t face = 0; face < solid_.face_count; ++face, entry += step) {
         *entry = face;
         winding += crossing(solid_, face, start, axis_x, offset() + 1);
     }
-    reserve(0, entry_words * solid_.face_count);
+    reserve(0, step * solid_.face_count);
     visit(root_octant.corner, 0, solid_.face_count, winding);
 }
 
@@ -145,7 +125,7 @@ void GridConversion::visit_next() {
     if (!is_of_eight(grids_ - 1)) open_child(above, m >> 3);
     builder_.open(m & 7U);
     const unsigned place = place_of(m);
-    const std::uint32_t windings = above.first + entry_words * above.faces;
+    const std::uint32_t windings = above.first + entry_words(false) * above.faces;
     const std::uint32_t first = windings + winding_words;
     std::uint32_t faces = 0;
     if (!select(above, place, first, faces)) return overflow();
@@ -171,12 +151,12 @@ void GridConversion::open_child(Frame& frame, unsigned child) {
 bool GridConversion::select(const Frame& above, unsigned place, std::uint32_t first, std::uint32_t& faces) {
     const unsigned half = 1 + (place >> 5);
     const unsigned bit = place & 31U;
-    const std::uint32_t words = entry_words * above.faces;
-    const std::uint32_t* const end = scratch_ + above.first + words;
-    for (const std::uint32_t* entry = scratch_ + above.first; entry != end; entry += entry_words) {
+    const std::uint32_t step = entry_words(is_last());
+    const std::uint32_t* const end = scratch_ + above.first + entry_words(false) * above.faces;
+    for (const std::uint32_t* entry = scratch_ + above.first; entry != end; entry += entry_words(false)) {
         if ((entry[half] >> bit & 1U) == 0) continue;
-        const std::uint32_t word = first + entry_words * faces++;
-        if (!reserve(word, entry_words)) return false;
+        const std::uint32_t word = first + step * faces++;
+        if (!reserve(word, step)) return false;
         scratch_[word] = *entry;
     }
     return true;
@@ -196,56 +176,62 @@ void GridConversion::overflow() {
 
 void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32_t faces,
                            std::int32_t winding) {
-    const bool whole = !is_of_eight(grids_);
-    const OctantGrid grid = {corner, lattice_bits - level_of(grids_), offset(), whole ? 3 : 1};
-    const bool last = grids_ + 1 == nested_grids(options_.depth);
-    const std::uint32_t words = first + entry_words * faces;
-    const GridList list = {solid_, scratch_ + first, scratch_ + words};
-    if (last && options_.leaves == LeafRule::centre) {
-        WindingLanes windings(lanes_, winding);
-        list.add_crossings(grid, windings);
-        const std::uint64_t black = in_morton_order(windings.inside(options_.winding));
-        set_leaves(black, black, 0, whole);
-        return close();
-    }
-    bool walls = false;
-    const std::uint64_t met = list.meet(grid, walls);
-    if (last && !walls) {
-        const std::uint64_t inside =
-            in_morton_order(list.inside_beside(met, grid, winding, options_.winding));
-        set_leaves(inside | in_morton_order(met), inside, 0, whole);
-        return close();
-    }
-    WindingLanes windings(lanes_, winding);
-    list.add_crossings(grid, windings);
-    const std::uint64_t open = in_morton_order(met);
-    const std::uint64_t inside = in_morton_order(windings.inside(options_.winding) & ~met);
-    if (last || open == 0) {
-        set_leaves(inside | open, inside, 0, whole);
-        return close();
-    }
-    set_leaves(inside, inside, open, whole);
-    Frame& frame = frames_[grids_++];
-    frame = Frame{corner, first, faces, open, inside, no_child};
+    if (is_last()) return visit_last(corner, first, faces, winding);
+    const int level = level_of(grids_);
+    const OctantGrid grid = {corner, lattice_bits - level, offset(), level == 1 ? 1 : 2};
+    const std::uint32_t words = first + entry_words(false) * faces;
+    const GridList list = {solid_, scratch_ + first, scratch_ + words, entry_words(false)};
     if (!reserve(words, winding_words)) return overflow();
+    const std::uint32_t behind = words + winding_words;
+    RowWindings windings(scratch_ + behind, scratch_size_ - behind, grid.levels, options_.winding);
+    if (windings.overflowed()) return overflow();
+    const std::uint64_t met = list.meet(grid, windings);
+    windings.finish(winding);
+    if (windings.overflowed()) return overflow();
+    reserve(behind, windings.words_used());
+    std::uint32_t rows[16];
+    windings.inside(rows);
+    const std::uint64_t open = in_morton_order(met);
+    const std::uint64_t inside = in_morton_order(as_mask(rows, grid.levels) & ~met);
+    if (level == 1) {
+        builder_.leaves(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(inside));
+    } else {
+        set_leaves(builder_, inside, inside, open);
+    }
+    if (open == 0) return close();
+    frames_[grids_++] = Frame{corner, first, faces, open, inside, no_child};
     for (std::uint64_t left = open; left != 0; left &= left - 1) {
         const unsigned m = lowest_of(left);
-        scratch_[words + m] = static_cast<std::uint32_t>(windings.at(place_of(m)));
+        const unsigned place = place_of(m);
+        const std::uint32_t row = (place >> 2 & 3U) + ((place >> 4) << grid.levels);
+        scratch_[words + m] = static_cast<std::uint32_t>(windings.at(row, place & 3U));
     }
 }
 
-// Sets the leaves of a grid, but for the children of its octant that hold open octants.
-void GridConversion::set_leaves(std::uint64_t may, std::uint64_t must, std::uint64_t open, bool whole) {
-    if (!whole) return builder_.leaves(static_cast<std::uint8_t>(may), static_cast<std::uint8_t>(must));
-    for (unsigned child = 0; child < 8; ++child) {
-        if (children_of(open, child) != 0) continue;
-        const Node node = Node::of(children_of(may, child), children_of(must, child), 0);
-        if (node.is_uniform()) {
-            builder_.leaf(child, node.colour(0));
-        } else {
-            builder_.graft(child, node);
-        }
+// A grid whose octants are leaves.
+void GridConversion::visit_last(const Point& corner, std::uint32_t first, std::uint32_t faces,
+                                std::int32_t winding) {
+    const OctantGrid grid = {corner, lattice_bits - options_.depth, offset(), last_levels_};
+    const bool three_valued = options_.leaves == LeafRule::conservative;
+    const auto rows = static_cast<std::uint32_t>(grid.rows());
+    const std::uint32_t list_end = first + faces;
+    const std::uint32_t behind = list_end + (three_valued ? rows : 0) + leaves_scratch(last_levels_);
+    if (!reserve(list_end, behind - list_end)) return overflow();
+    const GridList list = {solid_, scratch_ + first, scratch_ + list_end, entry_words(true)};
+    std::uint32_t* const met = three_valued ? scratch_ + list_end + leaves_scratch(last_levels_) : nullptr;
+    if (three_valued) {
+        for (std::uint32_t row = 0; row < rows; ++row) met[row] = 0;
     }
+    std::uint32_t* const inside = scratch_ + behind;
+    RowWindings windings(inside, scratch_size_ - behind, last_levels_, options_.winding);
+    if (windings.overflowed()) return overflow();
+    list.meet(grid, windings, met);
+    windings.finish(winding);
+    if (windings.overflowed()) return overflow();
+    reserve(behind, windings.words_used());
+    windings.inside(inside);
+    GridLeaves{last_levels_, inside, met, scratch_ + list_end}.set(builder_);
+    close();
 }
 
 // Closes an octant whose grid is done, and every one above that is done with it.
@@ -258,8 +244,8 @@ void GridConversion::close() {
 }
 
 TreeOutcome convert(GridConversion& job, const CheckedSolid& solid, const ConvertOptions& options,
-                    std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool) {
-    const Status status = job.begin(solid, options, scratch, scratch_size, pool);
+                    std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool, int last_levels) {
+    const Status status = job.begin(solid, options, scratch, scratch_size, pool, last_levels);
     if (status != Status::ok) return {status, 0, 0, Octree{pool, Node::uniform(Colour::white), 1}};
     while (job.step(UINT32_MAX)) {
     }

@@ -1,7 +1,7 @@
-// A grid of 4 x 4 x 4 octants, two levels below the octant that they make up, and sets of them.
+// Grids of octants that make up an octant some levels above, and sets of them.
 //
-// A set is a mask of 64 bits in which octant (i, j, k) is bit i + 4j + 16k. Seen along an axis, the grid is 4
-// x 4 squares: bit u + 4v of 16, u and v being the other two axes in ascending order.
+// A set is kept in rows along x: octant (i, j, k) is bit i of word j + side * k. A set of 64 is one mask in
+// which it is bit i + 4j + 16k.
 #ifndef OSEM_GRID_OCTANT_GRID_HPP
 #define OSEM_GRID_OCTANT_GRID_HPP
 
@@ -11,25 +11,9 @@
 
 namespace osem {
 
-/// Where a grid lies, and its reference points: an octant's minimum corner moved by `offset` along each axis,
-/// and by (e, e^2, e^3). Precondition: 0 <= offset < 2^shift, so that they are in the open octants.
-struct OctantGrid {
-    Point corner;
-    int shift;           ///< the side of the grid's octants is 2^shift
-    std::int32_t offset; ///< of the reference points
-    int last;            ///< the last index along each axis: 3, or 1 for a grid of eight octants
-
-    constexpr std::int32_t side() const { return std::int32_t{1} << shift; }
-    /// The corner of an octant by its indices.
-    constexpr Point at(int i, int j, int k) const {
-        return Point{{corner.x() + (i << shift), corner.y() + (j << shift), corner.z() + (k << shift)}};
-    }
-    /// Its reference point, before it is moved by (e, e^2, e^3).
-    constexpr Point reference(int i, int j, int k) const {
-        const Point p = at(i, j, k);
-        return Point{{p.x() + offset, p.y() + offset, p.z() + offset}};
-    }
-};
+constexpr int clipped(std::int32_t index, int first, int last) {
+    return index < first ? first : index > last ? last : static_cast<int>(index);
+}
 
 /// A range of indices along one axis, empty when last < first.
 struct IndexRange {
@@ -37,50 +21,57 @@ struct IndexRange {
     int last;
 
     constexpr bool empty() const { return last < first; }
-    /// A bit for each index.
-    constexpr unsigned bits() const { return empty() ? 0 : (2U << last) - (1U << first); }
+    /// A bit for each index. Precondition: not empty, and within a word.
+    constexpr std::uint32_t bits() const {
+        return (~std::uint32_t{0} >> (31 - last)) & (~std::uint32_t{0} << first);
+    }
 };
 
-/// Four bits moved to places 0, 4, 8, 12.
-constexpr unsigned spread(unsigned bits) {
-    return (bits & 1U) | ((bits & 2U) << 3) | ((bits & 4U) << 6) | ((bits & 8U) << 9);
-}
+/// Where a grid lies, and its reference points: an octant's minimum corner moved by `offset` along each axis,
+/// and by (e, e^2, e^3). Precondition: 0 <= offset < 2^shift, so that they are in the open octants.
+struct OctantGrid {
+    Point corner;
+    int shift;           ///< the side of the grid's octants is 2^shift
+    std::int32_t offset; ///< of the reference points
+    int levels;          ///< 2^levels octants stand along each axis; 1 to 5, so that a row is a word
 
-/// The octants behind a set of squares seen along x, y or z.
-constexpr std::uint64_t behind_x(unsigned squares) {
-    std::uint64_t set = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-        set |= std::uint64_t{spread(squares >> (4 * k) & 15U)} * 15U << (16 * k);
+    constexpr std::int32_t length() const { return std::int32_t{1} << shift; } ///< of an octant's side
+    constexpr int side() const { return 1 << levels; }
+    constexpr int rows() const { return 1 << (2 * levels); }
+    constexpr int row(int j, int k) const { return j + (k << levels); }
+    /// The corner of an octant by its indices.
+    constexpr Point at(int i, int j, int k) const {
+        return Point{{corner.x() + (i << shift), corner.y() + (j << shift), corner.z() + (k << shift)}};
     }
-    return set;
-}
-constexpr std::uint64_t behind_y(unsigned squares) {
-    std::uint64_t set = 0;
-    for (unsigned k = 0; k < 4; ++k) set |= std::uint64_t{squares >> (4 * k) & 15U} * 0x1111U << (16 * k);
-    return set;
-}
-constexpr std::uint64_t behind_z(unsigned squares) { return squares * 0x0001000100010001U; }
-
-/// The octants in a range of indices along each axis.
-constexpr std::uint64_t octants_in(const IndexRange (&range)[3]) {
-    const unsigned square = range[0].bits() * spread(range[1].bits());
-    std::uint64_t set = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-        if ((range[2].bits() >> k & 1U) != 0) set |= std::uint64_t{square} << (16 * k);
+    /// The reference point of the first octant, before it is moved by (e, e^2, e^3).
+    constexpr Point reference() const {
+        return Point{{corner.x() + offset, corner.y() + offset, corner.z() + offset}};
     }
-    return set;
+    /// The octants along an axis whose open intervals are between two coordinates, or partly so.
+    constexpr IndexRange octants_between(int axis, std::int32_t low, std::int32_t high) const {
+        return {clipped((low - corner.at[axis]) >> shift, 0, side()),
+                clipped((high - 1 - corner.at[axis]) >> shift, -1, side() - 1)};
+    }
+    /// The reference points along an axis between two coordinates: moved by an infinitesimal, they are above
+    /// one with which they are level. There may be none: then it is told all the same where the two lie.
+    constexpr IndexRange points_between(int axis, std::int32_t low, std::int32_t high) const {
+        const std::int32_t first = corner.at[axis] + offset;
+        return {clipped((low - first + length() - 1) >> shift, 0, side()),
+                clipped((high - 1 - first) >> shift, -1, side() - 1)};
+    }
+};
+
+constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
+    return {a.first > b.first ? a.first : b.first, a.last < b.last ? a.last : b.last};
 }
 
-/// The octants of a set and, over and over, those of `among` beside them: the parts of `among` that it
-/// touches by squares.
-inline std::uint64_t grown(std::uint64_t set, std::uint64_t among) {
-    constexpr std::uint64_t low_x = 0x1111111111111111U; // the octants at the low side of the grid
-    constexpr std::uint64_t low_y = 0x000f000f000f000fU;
-    for (std::uint64_t before = 0; set != before;) {
-        before = set;
-        set |= ((set << 1 & ~low_x) | (set >> 1 & ~(low_x << 3))) & among;
-        set |= ((set << 4 & ~low_y) | (set >> 4 & ~(low_y << 12))) & among;
-        set |= (set << 16 | set >> 16) & among;
+/// The rows of a grid of up to 64 octants as one mask.
+inline std::uint64_t as_mask(const std::uint32_t* rows, int levels) {
+    const int side = 1 << levels;
+    const std::uint32_t of_row = (1U << side) - 1;
+    std::uint64_t set = 0;
+    for (int k = 0; k < side; ++k) {
+        for (int j = 0; j < side; ++j) set |= std::uint64_t{*rows++ & of_row} << (4 * j + 16 * k);
     }
     return set;
 }
@@ -109,7 +100,7 @@ constexpr std::uint64_t in_morton_order(std::uint64_t set) {
     return ordered;
 }
 
-/// The place in a set of the octant that is bit `m` in Morton order.
+/// The place in a mask of the octant that is bit `m` in Morton order.
 constexpr unsigned place_of(unsigned m) {
     const unsigned child = m >> 3;
     return (m & 1U) + (m & 2U) * 2 + (m & 4U) * 4 + (child & 1U) * 2 + (child & 2U) * 4 + (child & 4U) * 8;

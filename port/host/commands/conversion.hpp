@@ -25,7 +25,7 @@ struct Converted {
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
-/// Grids of 64 octants.
+/// Grids of octants.
 Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);
 
 /// Divide and conquer.

@@ -132,7 +132,7 @@ void add_convert(CLI::App& app, const Console& console) {
         ->type_name("RULE");
     add_choice<Technique>(
         *command, "--technique", options->technique,
-        "grids (the default: 64 octants at once), divide (octant by octant, in less memory) or bintree (a "
+        "grids (the default: many octants at once), divide (octant by octant, in less memory) or bintree (a "
         "bintree and the labelling of its components; no centre leaves); the trees are the same",
         {{"grids", Technique::grids}, {"divide", Technique::divide}, {"bintree", Technique::bintree}})
         ->type_name("NAME");

@@ -1,0 +1,45 @@
+// The leaves of a grid as nodes of a tree.
+#ifndef OSEM_GRID_LEAVES_HPP
+#define OSEM_GRID_LEAVES_HPP
+
+#include <cstdint>
+
+#include "osem/tree_builder.hpp"
+
+namespace osem {
+
+/// Sets the children of the open octant from 64 leaves two levels below it, in Morton order; but not those
+/// children that hold an octant of `open`.
+void set_leaves(TreeBuilder& builder, std::uint64_t may, std::uint64_t must, std::uint64_t open = 0);
+
+/// Words of scratch for the leaves of a grid of so many levels.
+constexpr std::uint32_t leaves_scratch(int levels) {
+    return levels < 2 ? 0 : std::uint32_t{1} << (2 * (levels - 2));
+}
+
+/// The leaves of a grid, as sets in rows; see octant_grid.hpp.
+struct GridLeaves {
+    int levels;
+    const std::uint32_t* inside; ///< black, if not also met
+    const std::uint32_t* met;    ///< boundary; or null: none
+    std::uint32_t* scratch;      ///< leaves_scratch(levels) words
+
+    /// Sets what is below the open octant, which the grid makes up. Cost: O(rows), and for each part of
+    /// 4 x 4 x 4 leaves that are not all alike as many steps as there are leaves.
+    void set(TreeBuilder& builder) const;
+
+  private:
+    std::uint32_t may(std::uint32_t row) const {
+        return met == nullptr ? inside[row] : inside[row] | met[row];
+    }
+    std::uint32_t must(std::uint32_t row) const {
+        return met == nullptr ? inside[row] : inside[row] & ~met[row];
+    }
+    void sum_up() const;
+    std::uint32_t common_state(unsigned part, int height) const;
+    void set_part(unsigned part, TreeBuilder& builder) const;
+};
+
+} // namespace osem
+
+#endif

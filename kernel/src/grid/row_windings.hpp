@@ -1,0 +1,94 @@
+// Winding numbers of all reference points of a grid, added up side by side.
+#ifndef OSEM_GRID_ROW_WINDINGS_HPP
+#define OSEM_GRID_ROW_WINDINGS_HPP
+
+#include <cstdint>
+
+#include "osem/convert.hpp"
+
+namespace osem {
+
+/// The numbers are in two's complement, bit b of a row's in one word, a plane of such words for each b: so a
+/// row's are added to at once. There are as many planes as the numbers have needed: two as a rule, for -2 to
+/// 1; by the odd rule one, as only the lowest bit counts. They lie in the caller's memory, bit b of row r in
+/// word (b + 1) * rows + r.
+///
+/// The first `rows` words are for the rows' first points, as differences: of row (0, k) from row (0, k - 1),
+/// and of row (j, k) from row (j - 1, k). What is crossed along a row is added to it as if that number were
+/// 0, until all is known and every row is raised by it.
+class RowWindings {
+  public:
+    /// All numbers are 0.
+    RowWindings(std::uint32_t* words, std::uint32_t room, int levels, WindingRule rule)
+        : first_(words), room_(room), rows_(std::uint32_t{1} << (2 * levels)), levels_(levels), rule_(rule),
+          planes_(rule == WindingRule::odd ? 1 : 2) {
+        overflowed_ = words_used() > room_;
+        if (overflowed_) return;
+        for (std::uint32_t word = 0; word < words_used(); ++word) words[word] = 0;
+    }
+
+    /// Whether the memory was too small: the numbers mean nothing then. If it is so from the beginning
+    /// nothing may be added.
+    bool overflowed() const { return overflowed_; }
+    std::uint32_t words_used() const { return (planes_ + 1) * rows_; }
+    std::uint32_t rows() const { return rows_; }
+
+    /// The first number of a row differs from the one before it by so much more.
+    void change_first(int row, std::int32_t by) {
+        first_[row] += static_cast<std::uint32_t>(by);
+        level_ = false;
+    }
+
+    /// Adds a number to those of a row from octant `first` on.
+    void add(std::uint32_t row, int first, std::int32_t number) {
+        const std::uint32_t set = ~std::uint32_t{0} << first;
+        if (number == 1 || number == -1) {
+            add_power(row, set, 0, number > 0);
+        } else {
+            add_many(row, set, number);
+        }
+    }
+
+    /// All is added; the number of the grid's first point is this.
+    void finish(std::int32_t winding);
+
+    /// Then: writes which points are inside, a word a row; to the memory's first words, if need be.
+    void inside(std::uint32_t* rows) const;
+
+    /// And a point's number; by the odd rule any number that is odd when it is.
+    std::int32_t at(std::uint32_t row, unsigned i) const;
+
+  private:
+    std::uint32_t* plane(unsigned b) const { return first_ + (b + 1) * rows_; }
+    void add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up);
+    void add_many(std::uint32_t row, std::uint32_t set, std::int32_t number);
+    void widen(std::uint32_t row, std::uint32_t outgrown);
+
+    std::uint32_t* first_;
+    std::uint32_t room_;
+    std::uint32_t rows_;
+    int levels_;
+    WindingRule rule_;
+    unsigned planes_;
+    bool level_ = true; ///< all differences are 0
+    bool overflowed_;
+};
+
+/// Adds or takes away 2^from, which is less than what the sign stands for.
+inline void RowWindings::add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up) {
+    const std::uint32_t rows = rows_;
+    std::uint32_t* word = first_ + (from + 1) * rows + row;
+    for (unsigned left = planes_ - from; --left != 0; word += rows) {
+        const std::uint32_t before = *word;
+        *word = before ^ set;
+        set &= up ? before : ~before;
+    }
+    const std::uint32_t sign = *word;
+    *word = sign ^ set;
+    set &= up ? ~sign : sign; // a carry that changes the sign the wrong way
+    if (set != 0 && planes_ > 1) widen(row, set);
+}
+
+} // namespace osem
+
+#endif
