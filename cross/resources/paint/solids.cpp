@@ -15,7 +15,7 @@ Conversion conversion;
 GridConversion grid_conversion;
 Edge edges[Sphere::corner_count];
 std::uint32_t faces[Sphere::triangle_count];
-constexpr std::uint32_t word_count = 5000;
+constexpr std::uint32_t word_count = 8000;
 std::uint32_t words[word_count];
 
 constexpr ConvertOptions options_of(int depth, LeafRule leaves, WindingRule winding) {
