@@ -64,9 +64,9 @@ ColouredCells combined(std::uint8_t operation, const ColouredCells& a, const Col
     return result;
 }
 
-class Writer {
+class BooleanWriter {
   public:
-    explicit Writer(VectorFile& file) : file_(file) {}
+    explicit BooleanWriter(VectorFile& file) : file_(file) {}
 
     /// A record for either leaf rule.
     void add(Source& a, int depth_a, Source& b, int depth_b, WindingRule winding) {
@@ -108,7 +108,7 @@ class Writer {
 };
 
 // Each solid with another one, some with themselves; operands of different depths among them.
-void add_pairs(Writer& writer, std::vector<Source>& sources) {
+void add_pairs(BooleanWriter& writer, std::vector<Source>& sources) {
     constexpr int depths[][2] = {{3, 3}, {4, 4}, {3, 4}, {4, 2}};
     constexpr WindingRule windings[] = {WindingRule::nonzero, WindingRule::odd, WindingRule::positive};
     const std::size_t count = sources.size();
@@ -120,7 +120,7 @@ void add_pairs(Writer& writer, std::vector<Source>& sources) {
     }
 }
 
-void add_meshes(Writer& writer) {
+void add_meshes(BooleanWriter& writer) {
     const oracle::TriangleMesh first = real_mesh("elephant", oracle::whole_root);
     const oracle::TriangleMesh second = real_mesh("rotor", oracle::Fit{{{200003, 150001, 99991}}, 700001});
     Source a(first.view());
@@ -133,7 +133,7 @@ void add_meshes(Writer& writer) {
 
 void write_boolean(const std::string& folder) {
     VectorFile file(osem::cross::Topic::boolean);
-    Writer writer(file);
+    BooleanWriter writer(file);
     std::vector<oracle::TestSolid> solids = all_solids(oracle::aligned_grid, 16, 7000);
     for (oracle::TestSolid& solid : all_solids(oracle::crooked_grid, 16, 7100)) {
         solids.push_back(std::move(solid));

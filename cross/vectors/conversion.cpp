@@ -33,9 +33,9 @@ std::vector<osem::ConvertOptions> jobs_of(int depth, Rules rules) {
     return jobs;
 }
 
-class Writer {
+class ConversionWriter {
   public:
-    explicit Writer(VectorFile& file) : file_(file) {}
+    explicit ConversionWriter(VectorFile& file) : file_(file) {}
 
     void add(const osem::Solid& solid, const oracle::ExactSolid& exact, const osem::Octant& window, int depth,
              Rules rules) {
@@ -62,7 +62,7 @@ class Writer {
     Random random_{17};
 };
 
-void add_library(Writer& writer) {
+void add_library(ConversionWriter& writer) {
     unsigned seed = 6000;
     for (const oracle::Grid* grid : {&oracle::aligned_grid, &oracle::crooked_grid}) {
         std::size_t number = 0;
@@ -81,7 +81,7 @@ void add_library(Writer& writer) {
 }
 
 // Down to leaves of side 1.
-void add_tiny(Writer& writer) {
+void add_tiny(ConversionWriter& writer) {
     int depth = 17;
     for (const oracle::TestSolid& solid : oracle::every(3, all_solids(oracle::tiny_grid, 10, 6200))) {
         writer.add(solid.view(), oracle::ExactSolid(solid.view()), oracle::tiny_window, depth, Rules::leaves);
@@ -89,7 +89,7 @@ void add_tiny(Writer& writer) {
     }
 }
 
-void add_meshes(Writer& writer) {
+void add_mesh_conversions(ConversionWriter& writer) {
     struct Mesh {
         const char* name;
         int depth;
@@ -111,10 +111,10 @@ void add_meshes(Writer& writer) {
 
 void write_conversion(const std::string& folder) {
     VectorFile file(osem::cross::Topic::conversion);
-    Writer writer(file);
+    ConversionWriter writer(file);
     add_library(writer);
     add_tiny(writer);
-    add_meshes(writer);
+    add_mesh_conversions(writer);
     add_refusals(file);
     file.sort_by_size();
     file.write(folder);

@@ -32,9 +32,9 @@ std::uint8_t encoded(const CsgToken& token) {
     return static_cast<std::uint8_t>(osem::cross::token_combine + static_cast<int>(token.op));
 }
 
-class Writer {
+class CsgWriter {
   public:
-    explicit Writer(VectorFile& file) : file_(file) {}
+    explicit CsgWriter(VectorFile& file) : file_(file) {}
 
     /// A record for either leaf rule.
     void add(const oracle::TestSolid& a, const oracle::TestSolid& b, int depth, std::uint32_t seed) {
@@ -116,7 +116,7 @@ class Writer {
 
 void write_csg(const std::string& folder) {
     VectorFile file(osem::cross::Topic::csg);
-    Writer writer(file);
+    CsgWriter writer(file);
     for (const oracle::Grid* grid : {&oracle::aligned_grid, &oracle::crooked_grid}) {
         const std::vector<oracle::TestSolid> solids = all_solids(*grid, 16, 7300);
         const std::size_t count = solids.size();

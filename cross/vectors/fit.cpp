@@ -21,9 +21,9 @@ using osem::LeafRule;
 using osem::WindingRule;
 using osem::tests::DenseGrid;
 
-class Writer {
+class FitWriter {
   public:
-    explicit Writer(VectorFile& file) : file_(file) {}
+    explicit FitWriter(VectorFile& file) : file_(file) {}
 
     /// A record of one solid: labellings of every depth up to a limit, and fittings under both leaf rules.
     void add(const oracle::TestSolid& solid, int limit, WindingRule winding) {
@@ -112,7 +112,7 @@ class Writer {
 
 void write_fit(const std::string& folder) {
     VectorFile file(osem::cross::Topic::fit);
-    Writer writer(file);
+    FitWriter writer(file);
     constexpr WindingRule windings[] = {WindingRule::nonzero, WindingRule::odd, WindingRule::positive};
     std::size_t number = 0;
     for (const oracle::Grid* grid : {&oracle::aligned_grid, &oracle::crooked_grid}) {

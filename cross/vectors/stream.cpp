@@ -32,9 +32,9 @@ bool same_cells(const DenseGrid& a, const DenseGrid& b) {
     return refined(a, depth) == refined(b, depth);
 }
 
-class Writer {
+class StreamWriter {
   public:
-    explicit Writer(VectorFile& file) : file_(file) {}
+    explicit StreamWriter(VectorFile& file) : file_(file) {}
 
     void add(const DenseGrid& a, const DenseGrid& b, LeafRule rule) {
         Bytes body;
@@ -83,7 +83,7 @@ class Writer {
 
 void write_stream(const std::string& folder) {
     VectorFile file(osem::cross::Topic::stream);
-    Writer writer(file);
+    StreamWriter writer(file);
     for (const Colour a : osem::tests::three_colours) {
         for (const Colour b : osem::tests::three_colours) {
             writer.add(DenseGrid(1, a), DenseGrid(2, b), LeafRule::conservative);

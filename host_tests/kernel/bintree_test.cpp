@@ -14,10 +14,10 @@ namespace osem::tests {
 
 namespace {
 
-constexpr WindingRule rules[] = {WindingRule::nonzero, WindingRule::odd, WindingRule::positive};
-constexpr std::int32_t unit = root_side / 16;
+constexpr WindingRule winding_rules[] = {WindingRule::nonzero, WindingRule::odd, WindingRule::positive};
+constexpr std::int32_t sixteenth = root_side / 16;
 
-std::int32_t at(std::int32_t sixteenths) { return sixteenths * unit; }
+std::int32_t at(std::int32_t sixteenths) { return sixteenths * sixteenth; }
 
 Box box(std::int32_t low, std::int32_t high, int winding = 1) {
     return {{{at(low), at(low), at(low)}}, {{at(high), at(high), at(high)}}, winding};
@@ -54,7 +54,7 @@ void expect_same_as_divide_and_conquer(const SmallSolid& solid, int greatest_dep
     Labelling job;
     for (int depth = 1; depth <= greatest_depth; ++depth) {
         const std::uint32_t blocks = blocks_needed(solid, depth);
-        for (const WindingRule rule : rules) {
+        for (const WindingRule rule : winding_rules) {
             HeapPool expected(40000);
             const ConvertOptions options = {depth, LeafRule::conservative, rule};
             const TreeOutcome divided = converted(solid, options, &*expected);

@@ -14,8 +14,8 @@ namespace osem::tests {
 
 namespace {
 
-constexpr Operator operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
-                                  Operator::exclusive_or};
+constexpr Operator worked_operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
+                                         Operator::exclusive_or};
 
 struct Pair {
     explicit Pair(std::uint32_t seed, int depth = 3, const std::vector<Colour>& palette = three_colours)
@@ -162,7 +162,7 @@ TEST(BooleanSharing, ASmallChangeCostsAPath) {
 TEST(BooleanWork, EveryStepBudgetGivesTheSameTree) {
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         Pair pair(seed);
-        for (const Operator op : operators) {
+        for (const Operator op : worked_operators) {
             const std::uint64_t expected = expected_digest(combined(op, pair.a_grid, pair.b_grid));
             std::set<std::uint64_t> visits;
             for (const std::uint32_t budget : {1U, 2U, 3U, 7U, 1000U}) {
@@ -244,7 +244,7 @@ TEST(BooleanWork, OnlyOctantsThatNeitherOperandDecidesAreVisited) {
 TEST(BooleanWork, CountingSaysWhatTheRealRunTakes) {
     for (std::uint32_t seed = 0; seed < 30; ++seed) {
         Pair pair(seed);
-        for (const Operator op : operators) {
+        for (const Operator op : worked_operators) {
             const std::uint32_t used = pair.pool->used();
             const PoolImage before(pair.pool);
             Combination job;
@@ -321,7 +321,7 @@ TEST(BooleanWork, ExhaustionAtEveryCapacity) {
     for (std::uint32_t seed = 3; seed < 6; ++seed) {
         Pair pair(seed);
         const std::uint32_t used = pair.pool->used();
-        for (const Operator op : operators) {
+        for (const Operator op : worked_operators) {
             Combination job;
             const TreeOutcome outcome = combine(job, op, pair.a, pair.b, *pair.pool);
             ASSERT_EQ(outcome.status, Status::ok);
@@ -350,7 +350,7 @@ TEST(BooleanWork, TreesOfDifferentPoolsAreRefused) {
 
 TEST(BooleanWork, GivingUpAtEveryStepRollsBack) {
     Pair pair(4);
-    for (const Operator op : operators) {
+    for (const Operator op : worked_operators) {
         const PoolImage before(pair.pool);
         for (std::uint32_t steps = 0;; ++steps) {
             Combination job;

@@ -23,41 +23,41 @@ template <class X, class Y>
 using Product = decltype(std::declval<X>() * std::declval<Y>());
 
 template <class X, class Y>
-constexpr bool same = std::is_same_v<X, Y>;
+constexpr bool same_type = std::is_same_v<X, Y>;
 
 constexpr std::int64_t two_to_31 = std::int64_t{1} << 31;
 constexpr std::int64_t two_to_40 = std::int64_t{1} << 40;
 
 // Ranges of results.
-static_assert(same<Sum<Bounded<-3, 5>, Bounded<-7, 11>>, Bounded<-10, 16>>);
-static_assert(same<Sum<Bounded<2, 3>, Bounded<-9, -8>>, Bounded<-7, -5>>);
-static_assert(same<Difference<Bounded<-3, 5>, Bounded<-7, 11>>, Bounded<-14, 12>>);
-static_assert(same<Difference<Bounded<4, 5>, Bounded<4, 5>>, Bounded<-1, 1>>);
+static_assert(same_type<Sum<Bounded<-3, 5>, Bounded<-7, 11>>, Bounded<-10, 16>>);
+static_assert(same_type<Sum<Bounded<2, 3>, Bounded<-9, -8>>, Bounded<-7, -5>>);
+static_assert(same_type<Difference<Bounded<-3, 5>, Bounded<-7, 11>>, Bounded<-14, 12>>);
+static_assert(same_type<Difference<Bounded<4, 5>, Bounded<4, 5>>, Bounded<-1, 1>>);
 
 // The extremes of a product stand at each of the four corners in turn, by the signs of the ranges.
-static_assert(same<Product<Bounded<2, 3>, Bounded<5, 7>>, Bounded<10, 21>>);
-static_assert(same<Product<Bounded<-3, -2>, Bounded<5, 7>>, Bounded<-21, -10>>);
-static_assert(same<Product<Bounded<2, 3>, Bounded<-7, -5>>, Bounded<-21, -10>>);
-static_assert(same<Product<Bounded<-3, -2>, Bounded<-7, -5>>, Bounded<10, 21>>);
-static_assert(same<Product<Bounded<-3, 2>, Bounded<-5, 7>>, Bounded<-21, 15>>);
-static_assert(same<Product<Bounded<-2, 3>, Bounded<-7, 5>>, Bounded<-21, 15>>);
-static_assert(same<Product<Bounded<-2, 3>, Bounded<5, 7>>, Bounded<-14, 21>>);
-static_assert(same<Product<Bounded<0, 0>, Bounded<-5, 7>>, Bounded<0, 0>>);
+static_assert(same_type<Product<Bounded<2, 3>, Bounded<5, 7>>, Bounded<10, 21>>);
+static_assert(same_type<Product<Bounded<-3, -2>, Bounded<5, 7>>, Bounded<-21, -10>>);
+static_assert(same_type<Product<Bounded<2, 3>, Bounded<-7, -5>>, Bounded<-21, -10>>);
+static_assert(same_type<Product<Bounded<-3, -2>, Bounded<-7, -5>>, Bounded<10, 21>>);
+static_assert(same_type<Product<Bounded<-3, 2>, Bounded<-5, 7>>, Bounded<-21, 15>>);
+static_assert(same_type<Product<Bounded<-2, 3>, Bounded<-7, 5>>, Bounded<-21, 15>>);
+static_assert(same_type<Product<Bounded<-2, 3>, Bounded<5, 7>>, Bounded<-14, 21>>);
+static_assert(same_type<Product<Bounded<0, 0>, Bounded<-5, 7>>, Bounded<0, 0>>);
 
 // 32 bits are used where the range and its negative fit.
 static_assert(sizeof(Bounded<-two_to_31 + 1, two_to_31 - 1>) == 4);
 static_assert(sizeof(Bounded<-two_to_31, 0>) == 8);
 static_assert(sizeof(Bounded<0, two_to_31>) == 8);
 static_assert(sizeof(Bounded<INT64_MIN, INT64_MAX>) == 8);
-static_assert(same<Bounded<0, 1>::Rep, std::int32_t>);
-static_assert(same<Bounded<0, two_to_31>::Rep, std::int64_t>);
+static_assert(same_type<Bounded<0, 1>::Rep, std::int32_t>);
+static_assert(same_type<Bounded<0, two_to_31>::Rep, std::int64_t>);
 
 // The lattice's own ranges, by the bounds that the design states.
-static_assert(same<VertexDifference, Bounded<-(1 << 20), 1 << 20>>);
-static_assert(same<NormalComponent, Bounded<-(std::int64_t{1} << 41), std::int64_t{1} << 41>>);
-static_assert(same<QueryDifference, Bounded<-(1 << 20) - 1, 1 << 20>>);
-static_assert(same<PlaneValue, Bounded<-3 * (std::int64_t{1} << 41) * ((1 << 20) + 1),
-                                       3 * (std::int64_t{1} << 41) * ((1 << 20) + 1)>>);
+static_assert(same_type<VertexDifference, Bounded<-(1 << 20), 1 << 20>>);
+static_assert(same_type<NormalComponent, Bounded<-(std::int64_t{1} << 41), std::int64_t{1} << 41>>);
+static_assert(same_type<QueryDifference, Bounded<-(1 << 20) - 1, 1 << 20>>);
+static_assert(same_type<PlaneValue, Bounded<-3 * (std::int64_t{1} << 41) * ((1 << 20) + 1),
+                                            3 * (std::int64_t{1} << 41) * ((1 << 20) + 1)>>);
 
 // A wider range takes a narrower one without a word; nothing else converts.
 static_assert(std::is_convertible_v<Bounded<0, 5>, Bounded<0, 5>>);

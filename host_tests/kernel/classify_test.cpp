@@ -14,7 +14,7 @@ namespace osem::tests {
 namespace {
 
 // Coordinates of the cases are in units of a quarter of the octant's side, measured from its low corner.
-struct Case {
+struct SolidCase {
     const char* name;
     std::vector<std::vector<std::array<int, 3>>> rings;
     Stage stage;
@@ -23,8 +23,8 @@ struct Case {
 
 constexpr int in_quarters = 4; // the octant's side
 
-const std::vector<Case>& cases() {
-    static const std::vector<Case> all = {
+const std::vector<SolidCase>& cases() {
+    static const std::vector<SolidCase> all = {
         // Stage 1.
         {"far away", {{{9, 9, 9}, {12, 9, 9}, {9, 12, 9}}}, Stage::minimax, false},
         {"touches a side from outside", {{{4, 0, 0}, {8, 4, 0}, {8, 0, 4}}}, Stage::minimax, false},
@@ -137,7 +137,7 @@ Point place(const std::array<int, 3>& p, const Octant& octant, int turn, unsigne
 TEST(Classify, EveryStageBothWays) {
     const Octant octants[] = {root_octant.child(7).child(0).child(0).child(0).child(7), // side 2^15
                               {{{777 * 4, 999 * 4, 555 * 4}}, 18}}; // side 4: quarters are units
-    for (const Case& c : cases()) {
+    for (const SolidCase& c : cases()) {
         for (const Octant& octant : octants) {
             for (unsigned position = 0; position < 48; ++position) {
                 std::vector<Polygon> rings;

@@ -44,7 +44,8 @@ struct Labelled {
     std::vector<Component> components;
 };
 
-std::vector<std::uint64_t> leaves_of(const Octree& tree, const DenseGrid& grid, const CellComponents& cells) {
+std::vector<std::uint64_t> leaves_of_component(const Octree& tree, const DenseGrid& grid,
+                                               const CellComponents& cells) {
     std::vector<std::uint64_t> leaves(cells.components.size());
     std::set<std::vector<std::int32_t>> seen;
     for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -60,7 +61,7 @@ void expect_components(const Labelled& found, const Octree& tree, const DenseGri
     ASSERT_EQ(found.outcome.status, Status::ok);
     EXPECT_EQ(found.outcome.scratch_needed, found.scratch.size());
     ASSERT_EQ(found.components.size(), cells.components.size());
-    const std::vector<std::uint64_t> leaves = leaves_of(tree, grid, cells);
+    const std::vector<std::uint64_t> leaves = leaves_of_component(tree, grid, cells);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const Component& component = found.components[i];
         const Component& expected = cells.components[i];

@@ -13,13 +13,13 @@ namespace osem::tests {
 namespace {
 
 constexpr int limit = 5;
-constexpr std::int32_t unit = root_side >> limit;
+constexpr std::int32_t lattice_unit = root_side >> limit;
 
 std::vector<Box> scaled(std::vector<Box> boxes) {
     for (Box& box : boxes) {
         for (int axis = 0; axis < 3; ++axis) {
-            box.low.at[axis] *= unit;
-            box.high.at[axis] *= unit;
+            box.low.at[axis] *= lattice_unit;
+            box.high.at[axis] *= lattice_unit;
         }
     }
     return boxes;
@@ -34,8 +34,8 @@ std::vector<Box> crooked() { return {{{{100001, 90003, 120005}}, {{790007, 60000
 // A thin plate that centres hit at depth 3 and miss at 4 and 5, beside a block.
 std::vector<Box> plates() {
     std::vector<Box> boxes = scaled({{{{10, 0, 0}}, {{10, 15, 13}}}, {{{16, 16, 16}}, {{24, 32, 32}}}});
-    boxes[0].low.at[0] -= unit / 4;
-    boxes[0].high.at[0] += unit / 4;
+    boxes[0].low.at[0] -= lattice_unit / 4;
+    boxes[0].high.at[0] += lattice_unit / 4;
     return boxes;
 }
 
@@ -52,12 +52,12 @@ std::vector<std::uint32_t> counts(const std::vector<Box>& boxes, LeafRule leaves
     return nodes;
 }
 
-struct Case {
+struct FitCase {
     SmallSolid solid;
     std::vector<std::uint32_t> scratch;
     ConvertOptions options;
 
-    Case(const std::vector<Box>& boxes, LeafRule leaves)
+    FitCase(const std::vector<Box>& boxes, LeafRule leaves)
         : solid(boxes_solid(boxes)), scratch(solid.face_count()), options{limit, leaves} {}
     Status begin(Fitting& job, NodePool& pool) {
         return job.begin(solid.checked(), options, scratch.data(), solid.face_count(), pool);
@@ -70,7 +70,7 @@ struct Case {
 void expect_every_pool(const std::vector<Box>& boxes, LeafRule leaves) {
     const std::vector<std::uint32_t> nodes = counts(boxes, leaves);
     const std::uint32_t most = *std::max_element(nodes.begin(), nodes.end());
-    Case of(boxes, leaves);
+    FitCase of(boxes, leaves);
     Fitting job;
     for (std::uint32_t room = 0; room <= most + 1; ++room) {
         std::size_t finest = limit;
@@ -100,7 +100,7 @@ TEST(Fitting, EveryPoolGetsTheFinestDepthThatFits) {
 TEST(Fitting, ACrookedSolidInPoolsAroundEachCount) {
     for (const LeafRule leaves : {LeafRule::conservative, LeafRule::centre}) {
         const std::vector<std::uint32_t> nodes = counts(crooked(), leaves);
-        Case of(crooked(), leaves);
+        FitCase of(crooked(), leaves);
         Fitting job;
         for (std::uint32_t depth = 3; depth <= limit; ++depth) {
             ASSERT_GT(nodes[depth], nodes[depth - 1]);
@@ -122,7 +122,7 @@ TEST(Fitting, NodesAreNotMonotoneInDepth) {
 }
 
 TEST(Fitting, EveryStepBudgetGivesTheSame) {
-    Case of(crooked(), LeafRule::conservative);
+    FitCase of(crooked(), LeafRule::conservative);
     std::vector<std::uint64_t> digests;
     std::vector<std::uint64_t> visits;
     for (const std::uint32_t budget : {1U, 2U, 7U, 1000U, UINT32_MAX}) {
@@ -144,7 +144,7 @@ TEST(Fitting, EveryStepBudgetGivesTheSame) {
 }
 
 TEST(Fitting, ACountIsGivenUpAsSoonAsItIsTooHigh) {
-    Case of(crooked(), LeafRule::conservative);
+    FitCase of(crooked(), LeafRule::conservative);
     Fitting job;
     HeapPool none(0);
     const std::uint64_t with_nothing = of.run(job, *none).octants_visited;
@@ -154,7 +154,7 @@ TEST(Fitting, ACountIsGivenUpAsSoonAsItIsTooHigh) {
 }
 
 TEST(Fitting, GivingUpRollsBack) {
-    Case of(crooked(), LeafRule::conservative);
+    FitCase of(crooked(), LeafRule::conservative);
     HeapPool pool(300);
     pool.fill_to(3);
     const PoolImage before(pool);
@@ -174,7 +174,7 @@ TEST(Fitting, GivingUpRollsBack) {
 }
 
 TEST(Fitting, Refusals) {
-    Case of(crooked(), LeafRule::centre);
+    FitCase of(crooked(), LeafRule::centre);
     HeapPool pool(10);
     Fitting job;
     EXPECT_EQ(job.finish().built.status, Status::unfinished);

@@ -25,8 +25,8 @@ std::uint32_t nodes_within(const Octree& tree, const CellBox& box, std::uint64_t
     return count;
 }
 
-::testing::AssertionResult agrees(const DenseGrid& grid, const Octree& tree, const CellBox& box,
-                                  std::uint8_t colours) {
+::testing::AssertionResult nearest_agrees(const DenseGrid& grid, const Octree& tree, const CellBox& box,
+                                          std::uint8_t colours) {
     const Nearest nearest = expected_nearest(cells_of(grid, colours), box);
     const NearestOutcome found = nearest_leaf(tree, box, colours);
     if (found.status != Status::ok || found.found != nearest.found) {
@@ -50,7 +50,7 @@ std::uint32_t nodes_within(const Octree& tree, const CellBox& box, std::uint64_t
     return ::testing::AssertionSuccess();
 }
 
-CellBox random_box(std::mt19937& random) {
+CellBox random_cell_box(std::mt19937& random) {
     CellBox box = {};
     const bool fine = random() % 2 == 0;
     const bool point = random() % 2 == 0;
@@ -74,9 +74,9 @@ TEST(NearestLeaf, AgreesWithEveryCellOfTheGrid) {
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);
         for (int i = 0; i < 40; ++i) {
-            const CellBox box = random_box(random);
+            const CellBox box = random_cell_box(random);
             for (const unsigned colours : {0U, 1U, 2U, 8U, 10U, 11U}) {
-                ASSERT_TRUE(agrees(grid, tree, box, static_cast<std::uint8_t>(colours)))
+                ASSERT_TRUE(nearest_agrees(grid, tree, box, static_cast<std::uint8_t>(colours)))
                     << "seed " << seed << ", box " << i << ", colours " << colours;
             }
         }
@@ -96,8 +96,9 @@ TEST(NearestLeaf, AgreesInSparseGrids) {
         HeapPool pool(100);
         const Octree tree = planted(grid, *pool);
         const Point middle = {{root_side / 2, root_side / 2, root_side / 2}};
-        ASSERT_TRUE(agrees(grid, tree, {middle, middle}, solid_colours));
-        for (int i = 0; i < 40; ++i) ASSERT_TRUE(agrees(grid, tree, random_box(random), solid_colours));
+        ASSERT_TRUE(nearest_agrees(grid, tree, {middle, middle}, solid_colours));
+        for (int i = 0; i < 40; ++i)
+            ASSERT_TRUE(nearest_agrees(grid, tree, random_cell_box(random), solid_colours));
     }
 }
 

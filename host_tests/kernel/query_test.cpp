@@ -13,12 +13,12 @@ namespace osem::tests {
 
 namespace {
 
-constexpr std::uint32_t seeds = 60;
+constexpr std::uint32_t query_seeds = 60;
 
 // At points inside the cells, and the leaf around them: one colour, but no such leaf around its parent.
 TEST(PointQuery, FindsTheWholeLeaf) {
     std::mt19937 random(7);
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    for (std::uint32_t seed = 0; seed < query_seeds; ++seed) {
         const DenseGrid grid = grid_of(seed);
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);
@@ -178,7 +178,7 @@ TEST(BoxQuery, AgreesWithEveryCellOfTheGrid) {
     std::mt19937 random(11);
     unsigned touching = 0;
     unsigned clear = 0;
-    for (std::uint32_t seed = 0; seed < 3 * seeds; ++seed) {
+    for (std::uint32_t seed = 0; seed < 3 * query_seeds; ++seed) {
         const DenseGrid grid = grid_of(seed);
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);
@@ -197,7 +197,7 @@ TEST(BoxQuery, AgreesWithEveryCellOfTheGrid) {
 // In grids with little in them, where boxes often only touch, or miss by a cell.
 TEST(BoxQuery, AgreesInSparseGrids) {
     std::mt19937 random(12);
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    for (std::uint32_t seed = 0; seed < query_seeds; ++seed) {
         DenseGrid grid(3);
         for (std::uint32_t i = 0; i <= seed % 3; ++i) {
             grid[random() % grid.size()] = random() % 2 == 0 ? Colour::black : Colour::boundary;
@@ -213,7 +213,7 @@ TEST(BoxQuery, AgreesInSparseGrids) {
 
 TEST(BoxQuery, ACellIsALeafQuery) {
     std::mt19937 random(13);
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    for (std::uint32_t seed = 0; seed < query_seeds; ++seed) {
         const DenseGrid grid = grid_of(seed);
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);
@@ -231,7 +231,7 @@ TEST(BoxQuery, ACellIsALeafQuery) {
 TEST(BoxQuery, VisitsNoMoreThanTheNodesAround) {
     std::mt19937 random(14);
     bool ended_early = false;
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    for (std::uint32_t seed = 0; seed < query_seeds; ++seed) {
         const DenseGrid grid = grid_of(seed);
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);

@@ -20,8 +20,8 @@ using osem::tests::Tokens;
 constexpr unsigned operand_count = 3;
 
 // A solid, its face list, and the colours that its cells have.
-struct Operand {
-    Operand(const TestSolid& solid, const osem::CsgOptions& options)
+struct TreeOperand {
+    TreeOperand(const TestSolid& solid, const osem::CsgOptions& options)
         : faces(osem::convert_scratch(solid.view())),
           walked(osem::CheckedSolid::vouched(solid.view()), osem::WindingRule::nonzero, faces.data(),
                  static_cast<std::uint32_t>(faces.size())) {
@@ -36,10 +36,10 @@ struct Operand {
     std::vector<osem::Colour> truth;
 };
 
-std::uint64_t test_expression(std::vector<Operand>& operands, const Tokens& tokens,
+std::uint64_t test_expression(std::vector<TreeOperand>& operands, const Tokens& tokens,
                               const osem::CsgOptions& options) {
     std::vector<osem::CsgOperand> walked;
-    for (Operand& operand : operands) walked.emplace_back(operand.walked);
+    for (TreeOperand& operand : operands) walked.emplace_back(operand.walked);
     HeapPool pool(1U << 14);
     osem::CsgConversion job;
     const osem::CsgOutcome outcome =
@@ -49,7 +49,7 @@ std::uint64_t test_expression(std::vector<Operand>& operands, const Tokens& toke
     const Report report =
         compare(outcome.built.tree, osem::root_octant, options.depth, [&](std::size_t cell) {
             std::vector<osem::Colour> colours;
-            for (const Operand& operand : operands) colours.push_back(operand.truth[cell]);
+            for (const TreeOperand& operand : operands) colours.push_back(operand.truth[cell]);
             return osem::tests::colour_at(tokens, colours);
         });
     EXPECT_TRUE(report.good()) << report.wrong_leaves << " wrong leaves; " << report.first;
@@ -60,7 +60,7 @@ void test_triples(const std::vector<TestSolid>& solids, const osem::CsgOptions& 
     std::mt19937 random(41);
     std::uint64_t leaves = 0;
     for (std::size_t i = 0; i < solids.size(); ++i) {
-        std::vector<Operand> operands;
+        std::vector<TreeOperand> operands;
         operands.reserve(operand_count); // an operand may not move: its solid knows where its list is
         for (std::size_t k = 0; k < operand_count; ++k) {
             operands.emplace_back(solids[(i + 5 * k) % solids.size()], options);

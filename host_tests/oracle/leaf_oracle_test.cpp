@@ -12,7 +12,7 @@ namespace oracle {
 
 namespace {
 
-struct Totals {
+struct LeafTotals {
     std::uint64_t trees = 0;
     std::uint64_t leaves = 0;
     std::uint64_t cells = 0;
@@ -22,7 +22,7 @@ constexpr osem::WindingRule winding_rules[] = {osem::WindingRule::nonzero, osem:
                                                osem::WindingRule::positive};
 
 void test_rule(const TestSolid& solid, const osem::CheckedSolid& checked_solid, const CellGrid& grid,
-               const osem::ConvertOptions& options, osem::NodePool& pool, Totals& totals) {
+               const osem::ConvertOptions& options, osem::NodePool& pool, LeafTotals& totals) {
     const osem::TreeOutcome outcome = converted(checked_solid, options, pool);
     ASSERT_EQ(outcome.status, osem::Status::ok) << solid.name << ", depth " << options.depth;
     const Report report = compare(outcome.tree, grid, options);
@@ -36,7 +36,7 @@ void test_rule(const TestSolid& solid, const osem::CheckedSolid& checked_solid, 
 }
 
 void test_solid(const TestSolid& solid, const osem::Octant& window, int first_depth, int last_depth,
-                Totals& totals) {
+                LeafTotals& totals) {
     const osem::CheckOutcome outcome = checked(solid.view());
     ASSERT_EQ(outcome.status, osem::Status::ok) << solid.name << ": " << osem::describe(outcome.status);
     const ExactSolid exact(solid.view());
@@ -55,7 +55,7 @@ void test_solid(const TestSolid& solid, const osem::Octant& window, int first_de
 
 void test_all(const std::vector<TestSolid>& solids, const osem::Octant& window, int first_depth,
               int last_depth) {
-    Totals totals;
+    LeafTotals totals;
     for (const TestSolid& solid : solids) test_solid(solid, window, first_depth, last_depth, totals);
     std::printf("%zu solids, %llu trees, %llu leaves, %llu cells\n", solids.size(),
                 static_cast<unsigned long long>(totals.trees), static_cast<unsigned long long>(totals.leaves),

@@ -18,19 +18,19 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct CarrayArguments {
     std::string input;
     std::string output;
     std::string name;
     SolidOptions solid;
 };
 
-ConstantsName name_of(const Options& options) {
+ConstantsName name_of(const CarrayArguments& options) {
     return {options.name.empty() ? identifier_of(options.input) : options.name,
             std::filesystem::path(options.input).filename().string()};
 }
 
-void write_tree_header(const Options& options) {
+void write_tree_header(const CarrayArguments& options) {
     TreeFile file(options.input);
     HostPool pool(file.nodes());
     const Octree tree = file.read(pool.pool());
@@ -39,7 +39,7 @@ void write_tree_header(const Options& options) {
     output.commit();
 }
 
-void write_solid_header(const Options& options) {
+void write_solid_header(const CarrayArguments& options) {
     const IntegerSolid solid = read_solid(options.input, options.solid);
     static_cast<void>(check_solid(options.input, solid));
     OutputFile output(options.output);
@@ -47,7 +47,7 @@ void write_solid_header(const Options& options) {
     output.commit();
 }
 
-void run_carray(const Options& options) {
+void run_carray(const CarrayArguments& options) {
     const bool from_tree = is_tree_name(options.input);
     if (from_tree && !options.solid.frame.empty()) {
         throw CLI::ValidationError("--frame", "an octree file has a frame of its own");
@@ -60,7 +60,7 @@ void run_carray(const Options& options) {
     from_tree ? write_tree_header(options) : write_solid_header(options);
 }
 
-constexpr const char* footer =
+constexpr const char* carray_footer =
     "An octree becomes nodes, pool and tree in the namespace NAME: a tree that osem::leaf_at and\n"
     "osem::colours_in read where it lies, with 32-bit and with 16-bit indices. A mesh becomes vertices,\n"
     "corners, ring_starts, face_rings (no ring tables for triangle meshes), solid and winding: the integer\n"
@@ -71,7 +71,7 @@ constexpr const char* footer =
 void add_carray(CLI::App& app, const Console&) {
     CLI::App* command =
         app.add_subcommand("carray", "Write an octree or a solid as C++ constants for firmware");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CarrayArguments>();
     command->add_option("IN", options->input, "Octree file (.osem) or mesh file: .off, .stl, .obj or .poly")
         ->required()
         ->type_name("");
@@ -82,7 +82,7 @@ void add_carray(CLI::App& app, const Console&) {
         ->check(identifier_fault)
         ->type_name("NAME");
     add_solid_options(*command, options->solid);
-    command->footer(footer);
+    command->footer(carray_footer);
     command->callback([options] { run_carray(*options); });
 }
 

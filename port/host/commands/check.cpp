@@ -40,7 +40,7 @@ void run_check(const std::string& input, std::ostream& out) {
     print(out, solid, topology(solid));
 }
 
-constexpr const char* footer =
+constexpr const char* check_footer =
     "Prints one \"key value\" line each. First of the integer solid: faces, rings, hole_rings, vertices, "
     "edges,\n"
     "shells (faces joined by edges), manifold yes or no, genus (the sum over the shells; undefined unless\n"
@@ -59,7 +59,7 @@ void add_check(CLI::App& app, const Console& console) {
         app.add_subcommand("check", "Say what the solid in a mesh file is, or why it is refused");
     const auto input = std::make_shared<std::string>();
     command->add_option("IN", *input, "Mesh file: .off, .stl, .obj or .poly")->required()->type_name("");
-    command->footer(footer);
+    command->footer(check_footer);
     command->callback([input, &console] { run_check(*input, console.out); });
 }
 

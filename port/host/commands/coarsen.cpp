@@ -21,7 +21,7 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct CoarsenArguments {
     std::string input;
     std::string output;
     std::optional<std::uint32_t> nodes;
@@ -29,20 +29,20 @@ struct Options {
     std::optional<Coarse> mode;
 };
 
-void require_one(const Options& options) {
+void require_one(const CoarsenArguments& options) {
     if (options.nodes.has_value() == options.depth.has_value()) {
         throw CLI::ValidationError("coarsen", "wants either --nodes or --depth");
     }
     if (options.mode && !options.depth) throw CLI::ValidationError("--mode", "is for --depth");
 }
 
-void save(const Options& options, const TreeFile& file, const Octree& tree) {
+void save(const CoarsenArguments& options, const TreeFile& file, const Octree& tree) {
     OutputFile output(options.output);
     write_tree(output, tree, file.facts());
     output.commit();
 }
 
-void coarsen_to_nodes(const Options& options, std::ostream& out) {
+void coarsen_to_nodes(const CoarsenArguments& options, std::ostream& out) {
     TreeFile file(options.input);
     HostPool operand(file.nodes());
     const Octree tree = file.read(operand.pool());
@@ -60,7 +60,7 @@ void coarsen_to_nodes(const Options& options, std::ostream& out) {
 }
 
 // The result stands in the operand's pool and takes at most as many nodes once more.
-void coarsen_to_depth(const Options& options, std::ostream& out) {
+void coarsen_to_depth(const CoarsenArguments& options, std::ostream& out) {
     TreeFile file(options.input);
     HostPool pool(std::uint64_t{file.nodes()} * 2);
     const Octree tree = file.read(pool.pool());
@@ -76,7 +76,7 @@ void coarsen_to_depth(const Options& options, std::ostream& out) {
         << "outer_volume " << measures.outer_volume << '\n';
 }
 
-void run_coarsen(const Options& options, std::ostream& out) {
+void run_coarsen(const CoarsenArguments& options, std::ostream& out) {
     require_one(options);
     OutputFile::probe(options.output);
     if (options.nodes) {
@@ -86,7 +86,7 @@ void run_coarsen(const Options& options, std::ostream& out) {
     }
 }
 
-constexpr const char* footer =
+constexpr const char* coarsen_footer =
     "With --nodes, or --depth in the mode `certified`, what is black in the result is black in X "
     "throughout,\n"
     "what is white is white: the rest is boundary. At a depth the other modes make octants of several\n"
@@ -102,7 +102,7 @@ constexpr const char* footer =
 void add_coarsen(CLI::App& app, const Console& console) {
     CLI::App* command =
         app.add_subcommand("coarsen", "Coarsen an octree to a depth, or prune it to a budget of nodes");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CoarsenArguments>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
     command
         ->add_option("--nodes", options->nodes, "Prune: nodes that the result may have beside its top node")
@@ -121,7 +121,7 @@ void add_coarsen(CLI::App& app, const Console& console) {
     add_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
         ->required()
         ->type_name("Y.osem");
-    command->footer(footer);
+    command->footer(coarsen_footer);
     command->callback([options, &console] { run_coarsen(*options, console.out); });
 }
 

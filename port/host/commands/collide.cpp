@@ -17,7 +17,7 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct CollideArguments {
     std::string a;
     std::string b;
     Coordinates offset = {};
@@ -49,7 +49,7 @@ Point lattice_offset(const TreeFile& a, const TreeFile& b, const Coordinates& of
     return on_lattice(moved, cube_a, Rounding::nearest);
 }
 
-void run_collide(const Options& options, std::ostream& out) {
+void run_collide(const CollideArguments& options, std::ostream& out) {
     TreeFile file_a(options.a);
     TreeFile file_b(options.b);
     const Point offset = lattice_offset(file_a, file_b, options.offset);
@@ -66,7 +66,7 @@ void run_collide(const Options& options, std::ostream& out) {
     out << "visited " << found.visited << '\n';
 }
 
-constexpr const char* footer =
+constexpr const char* collide_footer =
     "contact is certain (a cell is in black leaves of both), possible (a cell is in leaves of both that are\n"
     "black or boundary), touch (they share a point, but no cell) or clear. The two octrees need cubes of "
     "the\n"
@@ -77,11 +77,11 @@ constexpr const char* footer =
 
 void add_collide(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("collide", "Tell whether two octrees collide, touch or are clear");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CollideArguments>();
     command->add_option("A", options->a, "Octree file")->required()->type_name("");
     command->add_option("B", options->b, "Octree file that is moved")->required()->type_name("");
     add_coordinates(*command, "--offset", options->offset, "How far B is moved, in world units");
-    command->footer(footer);
+    command->footer(collide_footer);
     command->callback([options, &console] { run_collide(*options, console.out); });
 }
 

@@ -25,14 +25,14 @@ using Words = std::vector<std::uint32_t>;
 
 std::uint32_t size_of(const Words& words) { return static_cast<std::uint32_t>(words.size()); }
 
-void require_ok(Status status) {
+void require_converted(Status status) {
     if (status != Status::ok) throw BadInput(describe(status));
 }
 
 template <class Job>
 TreeOutcome run_pass(Job& job, const CheckedSolid& solid, const ConvertOptions& options, Words& scratch,
                      NodePool* pool, Progress& progress) {
-    require_ok(job.begin(solid, options, scratch.data(), size_of(scratch), pool));
+    require_converted(job.begin(solid, options, scratch.data(), size_of(scratch), pool));
     drive(job, progress, pool == nullptr ? 0 : 1, 2);
     return job.finish();
 }
@@ -44,8 +44,8 @@ std::uint64_t bytes(std::size_t job, std::uint64_t words, std::uint64_t nodes) {
 LabellingOutcome run_pass(Labelling& job, const CheckedSolid& solid, const ConvertOptions& options,
                           Words& faces, Words& blocks, NodePool* pool, Progress& progress,
                           std::uint64_t pass) {
-    require_ok(job.begin(solid, options.depth, options.winding, faces.data(), size_of(faces), blocks.data(),
-                         size_of(blocks), pool));
+    require_converted(job.begin(solid, options.depth, options.winding, faces.data(), size_of(faces),
+                                blocks.data(), size_of(blocks), pool));
     while (job.step(64)) progress.show(pass, 3);
     return job.finish();
 }
@@ -62,7 +62,7 @@ Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& opti
     const Stopwatch watch;
     const TreeOutcome outcome = run_pass(*job, solid, options, scratch, &pool->pool(), progress);
     const double seconds = watch.seconds();
-    require_ok(outcome.status);
+    require_converted(outcome.status);
     return {std::move(pool),
             outcome.tree,
             seconds,
@@ -81,7 +81,7 @@ Converted divide(const CheckedSolid& solid, const ConvertOptions& options, Progr
     const Stopwatch watch;
     const TreeOutcome outcome = run_pass(*job, solid, options, faces, &pool->pool(), progress);
     const double seconds = watch.seconds();
-    require_ok(outcome.status);
+    require_converted(outcome.status);
     return {std::move(pool),
             outcome.tree,
             seconds,
@@ -96,7 +96,7 @@ Converted divide_to_fit(const CheckedSolid& solid, const ConvertOptions& options
     const auto job = std::make_unique<Fitting>();
     Words faces(convert_scratch(solid.view()));
     auto pool = std::make_unique<HostPool>(nodes);
-    require_ok(job->begin(solid, options, faces.data(), size_of(faces), pool->pool()));
+    require_converted(job->begin(solid, options, faces.data(), size_of(faces), pool->pool()));
     Stopwatch watch;
     bool writing = false;
     while (job->step(64)) {
@@ -108,7 +108,7 @@ Converted divide_to_fit(const CheckedSolid& solid, const ConvertOptions& options
     }
     const double seconds = watch.seconds();
     const FitOutcome outcome = job->finish();
-    require_ok(outcome.built.status);
+    require_converted(outcome.built.status);
     return {std::move(pool),
             outcome.built.tree,
             seconds,
@@ -131,7 +131,7 @@ Converted label(const CheckedSolid& solid, const ConvertOptions& options, Progre
     const LabellingOutcome outcome =
         run_pass(*job, solid, options, faces, blocks, &pool->pool(), progress, 2);
     const double seconds = watch.seconds();
-    require_ok(outcome.built.status);
+    require_converted(outcome.built.status);
     return {std::move(pool),
             outcome.built.tree,
             seconds,

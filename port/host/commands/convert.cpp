@@ -30,7 +30,7 @@ enum class Technique { grids, divide, bintree };
 // What each technique visits.
 const char* const visited_names[] = {"grid", "octant", "block"};
 
-struct Options {
+struct ConvertArguments {
     std::string input;
     std::string output;
     std::string quantized;
@@ -62,7 +62,7 @@ void print_stats(std::ostream& out, Technique technique, const Converted& conver
         << '\n';
 }
 
-void refuse_contradictions(const Options& options) {
+void refuse_contradictions(const ConvertArguments& options) {
     const bool centre = options.conversion.leaves == LeafRule::centre;
     if (centre && options.conversion.depth == max_depth) {
         throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
@@ -72,7 +72,7 @@ void refuse_contradictions(const Options& options) {
     if (options.nodes) throw CLI::ValidationError("--technique", "--fit converts by divide and conquer");
 }
 
-Converted convert(const Options& options, const CheckedSolid& solid, WindingRule winding,
+Converted convert(const ConvertArguments& options, const CheckedSolid& solid, WindingRule winding,
                   const Console& console) {
     ConvertOptions conversion = options.conversion;
     conversion.winding = winding;
@@ -83,7 +83,7 @@ Converted convert(const Options& options, const CheckedSolid& solid, WindingRule
     return convert_by_grids(solid, conversion, progress);
 }
 
-void run_convert(const Options& options, const Console& console) {
+void run_convert(const ConvertArguments& options, const Console& console) {
     refuse_contradictions(options);
     refuse_same_file("--output", options.output, "the input", options.input);
     if (!options.quantized.empty()) {
@@ -114,7 +114,7 @@ void run_convert(const Options& options, const Console& console) {
 
 void add_convert(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("convert", "Convert a solid to an octree");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ConvertArguments>();
     command->add_option("IN", options->input, "Mesh file: .off, .stl, .obj or .poly")
         ->required()
         ->type_name("");

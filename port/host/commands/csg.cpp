@@ -26,7 +26,7 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct CsgArguments {
     std::string expression;
     std::vector<std::string> bindings;
     std::string output;
@@ -84,7 +84,7 @@ Binding binding_of(const std::string& text) {
     return binding;
 }
 
-std::vector<Binding> bindings_of(const Options& options) {
+std::vector<Binding> bindings_of(const CsgArguments& options) {
     std::vector<Binding> bindings;
     for (const std::string& text : options.bindings) {
         const Binding binding = binding_of(text);
@@ -101,7 +101,7 @@ std::vector<Binding> bindings_of(const Options& options) {
     return bindings;
 }
 
-std::vector<CsgToken> tokens_of(const Options& options, const std::vector<Binding>& bindings) {
+std::vector<CsgToken> tokens_of(const CsgArguments& options, const std::vector<Binding>& bindings) {
     std::vector<std::string> names;
     names.reserve(bindings.size());
     for (const Binding& binding : bindings) names.push_back(binding.name);
@@ -151,7 +151,7 @@ WorldCube cube_for(const std::vector<Operand>& operands, const SolidOptions& opt
     return cube ? *cube : default_cube(all);
 }
 
-CsgOptions options_for(const std::vector<Operand>& operands, const Options& options) {
+CsgOptions options_for(const std::vector<Operand>& operands, const CsgArguments& options) {
     CsgOptions csg;
     std::optional<LeafRule> leaves = options.leaves;
     int greatest = 0;
@@ -212,7 +212,7 @@ void print_stats(std::ostream& out, const CsgConversion& job, const Octree& tree
         << "face_list_bytes " << faces * sizeof(std::uint32_t) << '\n';
 }
 
-void run_csg(const Options& options, const Console& console) {
+void run_csg(const CsgArguments& options, const Console& console) {
     const std::vector<Binding> bindings = bindings_of(options);
     const std::vector<CsgToken> tokens = tokens_of(options, bindings);
     OutputFile::probe(options.output);
@@ -242,7 +242,7 @@ void run_csg(const Options& options, const Console& console) {
 void add_csg(CLI::App& app, const Console& console) {
     CLI::App* command =
         app.add_subcommand("csg", "Convert an expression over solids and octrees in one walk");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CsgArguments>();
     command->add_option("EXPR", options->expression, "Expression over the names")->required()->type_name("");
     command
         ->add_option(

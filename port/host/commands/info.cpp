@@ -43,7 +43,7 @@ void run_info(const std::string& input, std::ostream& out) {
         << "digest " << hexadecimal(digested.digest) << '\n';
 }
 
-constexpr const char* footer =
+constexpr const char* info_footer =
     "Prints one \"key value\" line each: depth; leaf_rule; frame X,Y,Z,SIDE; nodes; the leaves white, black\n"
     "and boundary; volume_inner (black leaves) and volume_outer (black and boundary leaves) in lattice "
     "cells,\n"
@@ -60,7 +60,7 @@ void add_info(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("info", "Print depth, counts, volumes and digest of an octree");
     const auto input = std::make_shared<std::string>();
     command->add_option("X", *input, "Octree file")->required()->type_name("");
-    command->footer(footer);
+    command->footer(info_footer);
     command->callback([input, &console] { run_info(*input, console.out); });
 }
 

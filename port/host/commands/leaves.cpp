@@ -37,7 +37,7 @@ void run_leaves(const std::string& input, std::ostream& out) {
     lines.flush(); // a stream that refuses is reported once, when the command has ended
 }
 
-constexpr const char* footer =
+constexpr const char* leaves_footer =
     "One line a leaf, in Morton order (x varies fastest): \"x y z side colour\". The corner and the side "
     "are\n"
     "in lattice units, 2^20 of which make the root's side; the colour is white, black or boundary.";
@@ -48,7 +48,7 @@ void add_leaves(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("leaves", "Print every leaf of an octree");
     const auto input = std::make_shared<std::string>();
     command->add_option("X", *input, "Octree file")->required()->type_name("");
-    command->footer(footer);
+    command->footer(leaves_footer);
     command->callback([input, &console] { run_leaves(*input, console.out); });
 }
 

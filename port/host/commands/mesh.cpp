@@ -18,7 +18,7 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct MeshArguments {
     std::string input;
     std::string output;
     SolidPart part = SolidPart::inner;
@@ -28,7 +28,7 @@ std::string format_fault(const std::string& name) {
     return surface_format(name) ? std::string() : "expected a name that ends in .off, .obj, .stl or .poly";
 }
 
-TreeSurface surface_for(const Options& options, const Octree& tree, SurfaceFormat format,
+TreeSurface surface_for(const MeshArguments& options, const Octree& tree, SurfaceFormat format,
                         const Console& console) {
     TreeSurface surface;
     {
@@ -44,7 +44,7 @@ TreeSurface surface_for(const Options& options, const Octree& tree, SurfaceForma
         [&progress](std::uint64_t part, std::uint64_t whole) { progress.show(part, whole); });
 }
 
-void run_mesh(const Options& options, const Console& console) {
+void run_mesh(const MeshArguments& options, const Console& console) {
     refuse_same_file("--output", options.output, "the input", options.input);
     const SurfaceFormat format = *surface_format(options.output);
     OutputFile::probe(options.output);
@@ -62,7 +62,7 @@ void run_mesh(const Options& options, const Console& console) {
                 << "double_edges " << surface.double_edges << '\n';
 }
 
-constexpr const char* footer =
+constexpr const char* mesh_footer =
     "The inner solid is the black leaves, the outer one the black and the boundary leaves. The surface is\n"
     "closed, faces outwards and is a 2-manifold: where two cubes of the solid meet in an edge or a corner "
     "only,\n"
@@ -79,7 +79,7 @@ constexpr const char* footer =
 
 void add_mesh(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("mesh", "Write the surface of an octree as a mesh file");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<MeshArguments>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
     add_output(*command, "-o,--output", options->output, "Mesh file to write: .off, .obj, .stl or .poly")
         ->required()
@@ -88,7 +88,7 @@ void add_mesh(CLI::App& app, const Console& console) {
     add_choice<SolidPart>(*command, "--solid", options->part, "Which solid: inner or outer. Default: inner",
                           {{"inner", SolidPart::inner}, {"outer", SolidPart::outer}})
         ->type_name("SOLID");
-    command->footer(footer);
+    command->footer(mesh_footer);
     command->callback([options, &console] { run_mesh(*options, console); });
 }
 

@@ -262,7 +262,7 @@ void add_nearest(CLI::App& command, Question& question) {
                               {"white", colour_bit(Colour::white)}});
 }
 
-constexpr const char* footer =
+constexpr const char* query_footer =
     "Coordinates are world coordinates. point and neighbour take the cell that holds the point, box rounds\n"
     "outwards to whole cells, ray and nearest to the nearest lattice point; a direction is rounded to one\n"
     "part in 2^27. Answers are \"key value\" lines in lattice units, 2^20 of which make the root's side; a\n"
@@ -280,7 +280,7 @@ void add_query(CLI::App& app, const Console& console) {
     const auto question = std::make_shared<Question>();
     query->add_option("X", question->input, "Octree file")->required()->type_name("");
     query->require_subcommand(1);
-    query->footer(footer);
+    query->footer(query_footer);
     const auto add = [&](const char* name, const char* help, void (*ask)(const Asked&, const Question&)) {
         return add_kind(*query, name, help, question, console, ask);
     };

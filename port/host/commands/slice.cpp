@@ -26,7 +26,7 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct SliceArguments {
     std::string input;
     std::string output;
     Axis axis = axis_z;
@@ -53,7 +53,7 @@ std::int32_t cell_at(const WorldCube& cube, Axis axis, const char* option, const
 }
 
 // The cells of the layers asked for: one, or those of a stack, each the lowest of its layer of pixels.
-std::vector<std::int32_t> cells_of(const Options& options, const WorldCube& cube, int level) {
+std::vector<std::int32_t> cells_of(const SliceArguments& options, const WorldCube& cube, int level) {
     if (!options.stack) return {cell_at(cube, options.axis, "--at", options.at)};
     const std::int32_t side = root_side >> level;
     std::int32_t first = 0;
@@ -68,7 +68,7 @@ std::vector<std::int32_t> cells_of(const Options& options, const WorldCube& cube
     return cells;
 }
 
-int level_of(const Options& options, const Octree& tree) {
+int level_of(const SliceArguments& options, const Octree& tree) {
     if (options.level < 0) return tree.depth;
     if (options.level <= tree.depth) return options.level;
     throw BadInput("--level " + std::to_string(options.level) +
@@ -91,8 +91,8 @@ struct RunLines {
     }
 };
 
-void write_runs(const Octree& tree, const Options& options, const std::vector<std::int32_t>& cells, int level,
-                std::ostream& out) {
+void write_runs(const Octree& tree, const SliceArguments& options, const std::vector<std::int32_t>& cells,
+                int level, std::ostream& out) {
     RunLines text{TextLines(out)};
     RunSlicing job;
     for (const std::int32_t cell : cells) {
@@ -111,7 +111,7 @@ void make_folder(const std::string& path) {
     if (error) throw BadInput(path + ": " + error.message());
 }
 
-void write_stack(const Octree& tree, const Options& options, const std::vector<std::int32_t>& cells,
+void write_stack(const Octree& tree, const SliceArguments& options, const std::vector<std::int32_t>& cells,
                  int level, const Console& console) {
     const StackName names = *StackName::parse(options.output);
     if (options.output.find('%') == std::string::npos) make_folder(options.output);
@@ -125,7 +125,7 @@ void write_stack(const Octree& tree, const Options& options, const std::vector<s
 }
 
 // A directory that looks like a picture is hardly meant.
-void require_picture_names(const Options& options) {
+void require_picture_names(const SliceArguments& options) {
     if (!options.stack) {
         const std::string fault = picture_name_fault(options.output);
         if (!fault.empty()) throw CLI::ValidationError("--output", fault);
@@ -140,7 +140,7 @@ void require_picture_names(const Options& options) {
     }
 }
 
-void require_sense(const Options& options) {
+void require_sense(const SliceArguments& options) {
     if (options.stack == !options.at.empty()) {
         throw CLI::ValidationError("slice", "either --at or --stack says which layers are meant");
     }
@@ -153,7 +153,7 @@ void require_sense(const Options& options) {
     if (!options.runs) require_picture_names(options);
 }
 
-void run_slice(const Options& options, const Console& console) {
+void run_slice(const SliceArguments& options, const Console& console) {
     require_sense(options);
     const bool one_file = !options.output.empty() && (options.runs || !options.stack);
     if (!options.output.empty()) {
@@ -186,7 +186,7 @@ std::string number_fault(const std::string& text) {
     return parse_decimals(text, &number, 1) ? std::string() : "expected a finite decimal number";
 }
 
-constexpr const char* footer =
+constexpr const char* slice_footer =
     "White, black and boundary (steel blue) leaves of one plane, a pixel a leaf at the tree's depth; above\n"
     "2048 pixels a side a pixel is the mean of its leaves, below 256 a leaf is a square of 256 / 2^depth\n"
     "pixels. Where --at falls on the border of two leaves the one on the positive side is shown. Axis x "
@@ -201,7 +201,7 @@ constexpr const char* footer =
     "--runs prints one line a run, white left out: \"layer row start length colour\", all in pixels, rows\n"
     "counted upwards; with -o into a file.";
 
-void add_layers(CLI::App& command, Options& options) {
+void add_layers(CLI::App& command, SliceArguments& options) {
     command.add_option("--at", options.at, "World coordinate of the plane along the axis")
         ->check(number_fault)
         ->type_name("WORLD");
@@ -221,7 +221,7 @@ void add_layers(CLI::App& command, Options& options) {
 
 void add_slice(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("slice", "Draw planes of an octree, or print them as runs");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SliceArguments>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
     add_output(*command, "-o,--output", options->output,
                "PNG file to write; with --stack a pattern or a directory")
@@ -235,7 +235,7 @@ void add_slice(CLI::App& app, const Console& console) {
     command->add_option("--level", options->level, "Pixels of side 1 / 2^L of the root. Default: the depth")
         ->check(CLI::Range(0, max_depth).description(""))
         ->type_name("L");
-    command->footer(footer);
+    command->footer(slice_footer);
     command->callback([options, &console] { run_slice(*options, console); });
 }
 

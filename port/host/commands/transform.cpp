@@ -21,7 +21,7 @@ namespace osem::host {
 
 namespace {
 
-struct Options {
+struct TransformArguments {
     std::string input;
     std::string output;
     std::string translate;
@@ -130,8 +130,8 @@ void require_depth(const Octree& tree, const Placement& placement) {
                    " times as many leaves or more; with less, octants of several colours become boundary");
 }
 
-Octree placed(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options& options, WorldCube& cube,
-              Progress& progress) {
+Octree placed(std::unique_ptr<HostPool>& pool, const Octree& tree, const TransformArguments& options,
+              WorldCube& cube, Progress& progress) {
     Placement placement;
     if (!options.crop.empty()) placement.keep = lattice_box(cube, options.crop);
     if (!options.translate.empty()) placement.by = lattice_vector(cube, options.translate);
@@ -147,7 +147,8 @@ Octree placed(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options
                                 });
 }
 
-Octree scaled(std::unique_ptr<HostPool>& pool, const Octree& tree, const Options& options, WorldCube& cube) {
+Octree scaled(std::unique_ptr<HostPool>& pool, const Octree& tree, const TransformArguments& options,
+              WorldCube& cube) {
     const bool up = options.up != 0;
     const Octant octant = octant_at(cube, options.at, up ? options.up : options.down);
     const WorldCube old = cube;
@@ -167,7 +168,7 @@ void print_dropped(std::ostream& out, const Measures& whole, const Measures& par
         << "outer_dropped " << whole.outer_volume - (part.outer_volume >> (3 * up)) << '\n';
 }
 
-void require_one(const Options& options) {
+void require_one_job(const TransformArguments& options) {
     const bool places = !options.translate.empty() || !options.crop.empty();
     const int wanted = (places ? 1 : 0) + (options.symmetry.empty() ? 0 : 1) + (options.up != 0 ? 1 : 0) +
                        (options.down != 0 ? 1 : 0);
@@ -187,8 +188,8 @@ void require_one(const Options& options) {
     }
 }
 
-void run_transform(const Options& options, const Console& console) {
-    require_one(options);
+void run_transform(const TransformArguments& options, const Console& console) {
+    require_one_job(options);
     OutputFile::probe(options.output);
     TreeFile file(options.input);
     TreeFacts facts = file.facts();
@@ -228,7 +229,7 @@ std::string symmetry_fault(const std::string& text) {
     return parse_symmetry(text) ? std::string() : "expected signs and axes such as +y-x+z, each axis once";
 }
 
-constexpr const char* footer =
+constexpr const char* transform_footer =
     "Every cell of the result has the colour of the cell that it came from. Lengths are in world units and\n"
     "have to be multiples of the lattice unit, SIDE / 2^20. A vector or a box that is no multiple of the\n"
     "side of X's leaves needs --depth; octants of several colours at that depth become boundary. --up keeps\n"
@@ -240,7 +241,7 @@ constexpr const char* footer =
 
 void add_transform(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("transform", "Move, turn, scale or crop an octree");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TransformArguments>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
     add_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
         ->required()
@@ -270,7 +271,7 @@ void add_transform(CLI::App& app, const Console& console) {
         ->check(vector_fault)
         ->type_name("X,Y,Z");
     command->add_flag("--update-frame", options->update_frame, "Change the frame along with the tree");
-    command->footer(footer);
+    command->footer(transform_footer);
     command->callback([options, &console] { run_transform(*options, console); });
 }
 
