@@ -105,7 +105,8 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
 // A row crosses one edge that rises and one that falls.
 void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v,
                              Passages& passages) const {
-    std::uint8_t left[2][32]; // in each row, how many points lie left of the edge that falls, and that rises
+    std::uint8_t left[2][32] =
+        {}; // in each row, how many points are left of the edge that falls, and that rises
     const int u = u_of[axis];
     const int v = v_of[axis];
     const Point* a = &solid_.vertices[end_[-1]];

@@ -152,7 +152,7 @@ bool GridConversion::select(const Frame& above, unsigned place, std::uint32_t fi
     const unsigned half = 1 + (place >> 5);
     const unsigned bit = place & 31U;
     const std::uint32_t step = entry_words(is_last());
-    const std::uint32_t* const end = scratch_ + above.first + entry_words(false) * above.faces;
+    const std::uint32_t* const end = scratch_ + above.first + std::size_t{entry_words(false)} * above.faces;
     for (const std::uint32_t* entry = scratch_ + above.first; entry != end; entry += entry_words(false)) {
         if ((entry[half] >> bit & 1U) == 0) continue;
         const std::uint32_t word = first + step * faces++;

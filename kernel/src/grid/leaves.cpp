@@ -120,7 +120,7 @@ std::uint32_t GridLeaves::common_state(unsigned part, int height) const {
     const unsigned z = coordinate(part >> 2);
     const unsigned side = 1U << height;
     const std::uint32_t* row = scratch + y + (z << (levels - 2));
-    const std::uint32_t mask = ~std::uint32_t{0} >> (32 - 4 * side);
+    const std::uint32_t mask = ~std::uint32_t{0} >> ((32 - 4 * side) & 31U);
     const std::uint32_t first = row[0] >> (4 * x) & 15U;
     if (first == differing) return differing;
     for (unsigned k = 0; k < side; ++k, row += std::uint32_t{1} << (levels - 2)) {

@@ -2,6 +2,7 @@
 #ifndef OSEM_GRID_ROW_WINDINGS_HPP
 #define OSEM_GRID_ROW_WINDINGS_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "osem/convert.hpp"
@@ -59,7 +60,7 @@ class RowWindings {
     std::int32_t at(std::uint32_t row, unsigned i) const;
 
   private:
-    std::uint32_t* plane(unsigned b) const { return first_ + (b + 1) * rows_; }
+    std::uint32_t* plane(unsigned b) const { return first_ + std::size_t{b + 1} * rows_; }
     void add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up);
     void add_many(std::uint32_t row, std::uint32_t set, std::int32_t number);
     void widen(std::uint32_t row, std::uint32_t outgrown);
@@ -77,7 +78,7 @@ class RowWindings {
 /// Adds or takes away 2^from, which is less than what the sign stands for.
 inline void RowWindings::add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up) {
     const std::uint32_t rows = rows_;
-    std::uint32_t* word = first_ + (from + 1) * rows + row;
+    std::uint32_t* word = plane(from) + row;
     for (unsigned left = planes_ - from; --left != 0; word += rows) {
         const std::uint32_t before = *word;
         *word = before ^ set;
