@@ -97,7 +97,7 @@ void replay_by_grids(Arena& arena, Report& report, const Solid& solid, const Con
     if (memory == nullptr || job == nullptr || scratch == nullptr) return;
     NodePool pool(memory, nodes);
     const TreeOutcome outcome =
-        convert(*job, CheckedSolid::vouched(solid), options, scratch, words, &pool, last_levels);
+        convert(*job, CheckedSolid::vouched(solid), options, scratch, words, &pool, {last_levels});
     if (!report.expect("status by grids", static_cast<int>(Status::ok), static_cast<int>(outcome.status))) {
         return;
     }

@@ -33,7 +33,7 @@ struct GridRun {
     std::uint32_t words[334];
 
     TreeOutcome convert(const Solid& solid, const ConvertOptions& options, int last_levels) {
-        return osem::convert(job, CheckedSolid::vouched(solid), options, words, 334, &pool, last_levels);
+        return osem::convert(job, CheckedSolid::vouched(solid), options, words, 334, &pool, {last_levels});
     }
 };
 

@@ -22,11 +22,11 @@ struct Words {
     std::uint32_t size() const { return static_cast<std::uint32_t>(words.size()); }
     Status begin(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options, NodePool* pool,
                  int last_levels = most_grid_levels) {
-        return job.begin(solid.checked(), options, words.data(), size(), pool, last_levels);
+        return job.begin(solid.checked(), options, words.data(), size(), pool, {last_levels});
     }
     TreeOutcome run(GridConversion& job, const SmallSolid& solid, const ConvertOptions& options,
                     NodePool* pool, int last_levels = most_grid_levels) {
-        return convert(job, solid.checked(), options, words.data(), size(), pool, last_levels);
+        return convert(job, solid.checked(), options, words.data(), size(), pool, {last_levels});
     }
 };
 
@@ -222,6 +222,50 @@ TEST(GridConversion, FacesWithoutArea) {
 
 TEST(GridConversion, WindingNumbersOfManyTetrahedra) { expect_same(tetrahedra(7, root_side / 8, 300), 2, 4); }
 
+Octree subtree(const Octree& tree, unsigned child) {
+    const Colour colour = tree.top.colour(child);
+    const auto depth = static_cast<std::uint8_t>(tree.depth - 1);
+    if (colour != Colour::grey) return Octree{tree.pool, Node::uniform(colour), depth};
+    return Octree{tree.pool, tree.pool->child(tree.top, child), depth};
+}
+
+// Converts an octant apart, and its children in it; each is what it is of the whole tree.
+void expect_apart(const SmallSolid& solid, const ConvertOptions& options, const Octant& octant,
+                  const Octree& expected) {
+    HeapPool pool(100000);
+    const int last_levels = 1 + octant.level;
+    Words scratch(grid_scratch(solid.view(), expected.depth, last_levels));
+    GridConversion job;
+    ASSERT_EQ(job.begin(solid.checked(), options, scratch.words.data(), scratch.size(), &*pool,
+                        {last_levels, octant}),
+              Status::ok);
+    while (job.step(1)) EXPECT_LT(job.decided_volume(), volume_at(octant.level));
+    EXPECT_EQ(job.decided_volume(), volume_at(octant.level));
+    const TreeOutcome outcome = job.finish();
+    ASSERT_EQ(outcome.status, Status::ok);
+    ASSERT_EQ(outcome.tree.depth, expected.depth);
+    ASSERT_TRUE(same_leaves(outcome.tree, expected));
+    if (octant.level == 2) return;
+    for (unsigned child = 0; child < 8; ++child) {
+        expect_apart(solid, options, octant.child(child), subtree(expected, child));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+TEST(GridConversion, OctantsApart) {
+    const SmallSolid soup = tetrahedra(5, root_side / 64, 6);
+    for (const SmallSolid& solid : {soup, boxes_solid({box(1, 15), box(3, 12, -1), box(5, 9)})}) {
+        for (const LeafRule leaves : leaf_rules) {
+            const ConvertOptions options = {5, leaves};
+            HeapPool pool(100000);
+            const TreeOutcome whole = converted(solid, options, &*pool);
+            ASSERT_EQ(whole.status, Status::ok);
+            expect_apart(solid, options, root_octant, whole.tree);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
 TEST(GridConversion, BudgetsAndProgress) {
     const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
     Words scratch(grid_scratch(solid.view(), 6, 2));
@@ -328,6 +372,13 @@ TEST(GridConversion, Refusals) {
     }
     for (const int last_levels : {-1, 0, 6}) {
         EXPECT_EQ(scratch.run(job, solid, ConvertOptions{6}, nullptr, last_levels).status,
+                  Status::depth_out_of_range);
+    }
+    const Octant off_the_grid = {Point{{1, 0, 0}}, 1};
+    const Octant at_full_depth = {Point{{0, 0, 0}}, 6};
+    for (const Octant& octant : {off_the_grid, at_full_depth}) {
+        EXPECT_EQ(job.begin(solid.checked(), ConvertOptions{6}, scratch.words.data(), scratch.size(), nullptr,
+                            {most_grid_levels, octant}),
                   Status::depth_out_of_range);
     }
     Words too_few(18);

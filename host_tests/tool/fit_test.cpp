@@ -49,6 +49,24 @@ TEST_F(Fit, AllTechniquesGiveTheSameFile) {
     EXPECT_EQ(info("box")["volume_inner"], cells(14 * 14 * 14));
 }
 
+TEST_F(Fit, AnyThreadsGiveTheSameFile) {
+    for (const char* const leaves : {"conservative", "centre"}) {
+        for (const char* const depth : {"5", "6", "7"}) {
+            ASSERT_TRUE(succeeded(convert({"--technique", "divide", "--leaves", leaves}, depth)));
+            const std::string divided = read_file(path("box.osem"));
+            for (const char* const threads : {"1", "2", "3", "8"}) {
+                const Ran ran = convert({"--threads", threads, "--leaves", leaves, "--stats"}, depth);
+                ASSERT_TRUE(succeeded(ran));
+                EXPECT_EQ(read_file(path("box.osem")), divided) << threads;
+                EXPECT_GE(std::stoul(table(ran.out)["grids"]), depth[0] == '5' ? 1U : 8U);
+            }
+        }
+    }
+    EXPECT_EQ(convert({"--threads", "2", "--technique", "divide"}).code, 1);
+    EXPECT_EQ(convert({"--threads", "2", "--fit", "100"}).code, 1);
+    EXPECT_EQ(convert({"--threads", "9"}).code, 1);
+}
+
 TEST_F(Fit, LabellingAlternatesAcrossNestedBoxes) {
     // A box, a box-shaped cavity in it and a box in that: three shells, each an eighth from the next.
     const std::vector<std::string> shells = {box_off({0.125, 0.125, 0.125}, {0.875, 0.875, 0.875}),

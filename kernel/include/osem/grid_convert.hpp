@@ -39,6 +39,12 @@ constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_lev
            (last_grid > upper_rows ? last_grid : upper_rows);
 }
 
+/// How the work is cut up.
+struct GridOptions {
+    int last_levels = most_grid_levels; ///< 1 to 5: the more, the faster, and the more scratch
+    Octant octant = root_octant;        ///< what is converted: it is the tree's root
+};
+
 /// A conversion in progress: as Conversion, and with the same tree, node for node at the same places of the
 /// pool. It holds all of its state, so it may be a static object.
 ///
@@ -52,12 +58,14 @@ constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_lev
 class GridConversion {
   public:
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
-    /// A last grid has 2^last_levels octants along each axis, 1 to 5: the more, the faster, and the more
-    /// scratch. Scratch: at least a list of all faces, grid_scratch(solid.view(), depth, last_levels) words
+    /// Of an octant other than the root the tree is the subtree below it, of depth options.depth less the
+    /// octant's level: so the eight children of an octant may be converted side by side, by a job each.
+    /// Scratch: at least a list of all faces, grid_scratch(solid.view(), that depth, grids.last_levels) words
     /// for certain; in use until finish. A conversion that was not finished is given up first. Status: ok;
-    /// depth_out_of_range, last_levels too; scratch_too_small for the faces. When not ok, nothing has begun.
+    /// depth_out_of_range, also for last_levels and for an octant that is none or not above full depth;
+    /// scratch_too_small for the faces. When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
-                 std::uint32_t scratch_size, NodePool* pool, int last_levels = most_grid_levels);
+                 std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids = {});
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
     /// grid above; each triangle or convex quadrangle that meets the grid's octant against the rows that it
@@ -68,7 +76,7 @@ class GridConversion {
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.
     bool exhausted() const { return builder_.exhausted(); }
 
-    /// Exact progress: how much of the root's volume (2^60 cells) is decided.
+    /// Exact progress: how much of the octant's volume (2^60 cells of the root) is decided.
     std::uint64_t decided_volume() const;
 
     /// Grids visited so far.
@@ -104,9 +112,12 @@ class GridConversion {
     bool reserve(std::uint32_t first, std::uint32_t words);
     void overflow();
     void close();
-    int levels_above() const { return options_.depth - last_levels_; } ///< of the last grid
-    int level_of(int grid) const { return levels_above() - 2 * (nested_grids(levels_above()) - 1 - grid); }
-    bool is_of_eight(int grid) const { return level_of(grid) == 1; }
+    int levels() const { return options_.depth - octant_.level; }
+    int levels_above() const { return levels() - last_levels_; } ///< of the last grid
+    int level_of(int grid) const {
+        return octant_.level + levels_above() - 2 * (nested_grids(levels_above()) - 1 - grid);
+    }
+    bool is_of_eight(int grid) const { return level_of(grid) == octant_.level + 1; }
     bool is_last() const { return grids_ == nested_grids(levels_above()); }
     std::int32_t offset() const {
         return options_.leaves == LeafRule::centre ? root_side >> (options_.depth + 1) : 0;
@@ -118,6 +129,7 @@ class GridConversion {
     std::uint32_t scratch_size_ = 0;
     std::uint32_t scratch_used_ = 0;
     std::uint64_t visited_ = 0;
+    Octant octant_ = root_octant;
     int last_levels_ = 1;
     int grids_ = 0; ///< that lie in one another, the innermost one's frame last
     bool started_ = false;
@@ -130,7 +142,7 @@ class GridConversion {
 /// memory.
 TreeOutcome convert(GridConversion& job, const CheckedSolid& solid, const ConvertOptions& options,
                     std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool,
-                    int last_levels = most_grid_levels);
+                    const GridOptions& grids = {});
 
 } // namespace osem
 

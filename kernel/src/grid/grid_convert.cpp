@@ -53,17 +53,20 @@ std::uint8_t children_of(std::uint64_t set, unsigned child) {
 } // namespace
 
 Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
-                             std::uint32_t scratch_size, NodePool* pool, int last_levels) {
+                             std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids) {
     builder_.abandon();
     overflowed_ = false;
     const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
     if (options.depth < 1 || options.depth > greatest_depth) return Status::depth_out_of_range;
-    if (last_levels < 1 || last_levels > most_grid_levels) return Status::depth_out_of_range;
-    const bool root_is_last = upper_levels(options.depth, last_levels) == 0;
-    if (scratch_size < std::uint64_t{entry_words(root_is_last)} * solid.view().face_count) {
+    if (grids.last_levels < 1 || grids.last_levels > most_grid_levels) return Status::depth_out_of_range;
+    if (!is_octant(grids.octant) || grids.octant.level >= options.depth) return Status::depth_out_of_range;
+    const int levels = options.depth - grids.octant.level;
+    const bool first_is_last = upper_levels(levels, grids.last_levels) == 0;
+    if (scratch_size < std::uint64_t{entry_words(first_is_last)} * solid.view().face_count) {
         return Status::scratch_too_small;
     }
-    last_levels_ = last_levels < options.depth ? last_levels : options.depth;
+    octant_ = grids.octant;
+    last_levels_ = grids.last_levels < levels ? grids.last_levels : levels;
     solid_ = solid.view();
     options_ = options;
     scratch_ = scratch;
@@ -85,13 +88,13 @@ bool GridConversion::step(std::uint32_t grids) {
 }
 
 TreeOutcome GridConversion::finish() {
-    TreeOutcome outcome = builder_.finish(options_.depth);
+    TreeOutcome outcome = builder_.finish(levels());
     if (overflowed_) outcome.status = Status::scratch_too_small;
     return outcome;
 }
 
 std::uint64_t GridConversion::decided_volume() const {
-    if (builder_.finished()) return root_volume;
+    if (builder_.finished()) return volume_at(octant_.level);
     std::uint64_t decided = 0;
     for (int grid = 0; grid < grids_; ++grid) {
         const Frame& frame = frames_[grid];
@@ -104,17 +107,18 @@ std::uint64_t GridConversion::decided_volume() const {
 
 void GridConversion::visit_root() {
     started_ = true;
-    Point start = {{-1, 0, 0}};
-    for (int axis = 1; axis < 3; ++axis) start.at[axis] = offset();
+    Point start = octant_.corner; // where the way along x to the octant's reference point enters the root
+    start.at[axis_x] = -1;
+    for (int axis = 1; axis < 3; ++axis) start.at[axis] += offset();
     std::int32_t winding = 0;
     const std::uint32_t step = entry_words(is_last());
     std::uint32_t* entry = scratch_;
     for (std::uint32_t face = 0; face < solid_.face_count; ++face, entry += step) {
         *entry = face;
-        winding += crossing(solid_, face, start, axis_x, offset() + 1);
+        winding += crossing(solid_, face, start, axis_x, octant_.corner.x() + offset() + 1);
     }
     reserve(0, step * solid_.face_count);
-    visit(root_octant.corner, 0, solid_.face_count, winding);
+    visit(octant_.corner, 0, solid_.face_count, winding);
 }
 
 // Goes on to the next octant of the innermost grid that faces meet.
@@ -178,7 +182,7 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
                            std::int32_t winding) {
     if (is_last()) return visit_last(corner, first, faces, winding);
     const int level = level_of(grids_);
-    const OctantGrid grid = {corner, lattice_bits - level, offset(), level == 1 ? 1 : 2};
+    const OctantGrid grid = {corner, lattice_bits - level, offset(), is_of_eight(grids_) ? 1 : 2};
     const std::uint32_t words = first + entry_words(false) * faces;
     const GridList list = {solid_, scratch_ + first, scratch_ + words, entry_words(false)};
     if (!reserve(words, winding_words)) return overflow();
@@ -193,7 +197,7 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
     windings.inside(rows);
     const std::uint64_t open = in_morton_order(met);
     const std::uint64_t inside = in_morton_order(as_mask(rows, grid.levels) & ~met);
-    if (level == 1) {
+    if (is_of_eight(grids_)) {
         builder_.leaves(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(inside));
     } else {
         set_leaves(builder_, inside, inside, open);
@@ -244,8 +248,9 @@ void GridConversion::close() {
 }
 
 TreeOutcome convert(GridConversion& job, const CheckedSolid& solid, const ConvertOptions& options,
-                    std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool, int last_levels) {
-    const Status status = job.begin(solid, options, scratch, scratch_size, pool, last_levels);
+                    std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool,
+                    const GridOptions& grids) {
+    const Status status = job.begin(solid, options, scratch, scratch_size, pool, grids);
     if (status != Status::ok) return {status, 0, 0, Octree{pool, Node::uniform(Colour::white), 1}};
     while (job.step(UINT32_MAX)) {
     }

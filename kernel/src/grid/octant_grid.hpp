@@ -22,7 +22,9 @@ struct IndexRange {
 
     constexpr bool empty() const { return last < first; }
     /// A bit for each index. Precondition: not empty, and within a word.
-    constexpr std::uint32_t bits() const { return (std::uint32_t{2} << (last & 31)) - (std::uint32_t{1} << (first & 31)); }
+    constexpr std::uint32_t bits() const {
+        return (std::uint32_t{2} << (last & 31)) - (std::uint32_t{1} << (first & 31));
+    }
 };
 
 /// Where a grid lies, and its reference points: an octant's minimum corner moved by `offset` along each axis,

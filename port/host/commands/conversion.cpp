@@ -1,7 +1,6 @@
 #include "commands/conversion.hpp"
 
-#include <chrono>
-
+#include "commands/stopwatch.hpp"
 #include "mesh/bad_input.hpp"
 #include "osem/bintree.hpp"
 #include "osem/fit.hpp"
@@ -10,16 +9,6 @@
 namespace osem::host {
 
 namespace {
-
-class Stopwatch {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 using Words = std::vector<std::uint32_t>;
 

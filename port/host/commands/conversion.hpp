@@ -17,7 +17,7 @@ namespace osem::host {
 struct Converted {
     std::unique_ptr<HostPool> pool;
     Octree tree;
-    double seconds;        ///< of the pass that wrote the tree
+    double seconds;        ///< of the pass that wrote the tree; on several threads of both
     StageCounts stages;    ///< all 0 by grids
     std::uint64_t visited; ///< grids, octants or blocks
     std::uint64_t memory;  ///< bytes of job, scratch and pool

@@ -1,9 +1,11 @@
 // osem convert: a mesh file to an octree file.
+#include <algorithm>
 #include <iomanip>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +13,7 @@
 #include "commands/choice.hpp"
 #include "commands/command.hpp"
 #include "commands/conversion.hpp"
+#include "commands/octants_apart.hpp"
 #include "commands/output_option.hpp"
 #include "commands/solid_input.hpp"
 #include "console/progress.hpp"
@@ -20,6 +23,7 @@
 #include "mesh/quantize.hpp"
 #include "mesh/write_off.hpp"
 #include "osem/convert.hpp"
+#include "osem/grid_convert.hpp"
 
 namespace osem::host {
 
@@ -38,6 +42,7 @@ struct ConvertArguments {
     ConvertOptions conversion; ///< but for the winding rule
     Technique technique = Technique::grids;
     std::optional<std::uint32_t> nodes; ///< to fit
+    std::optional<unsigned> threads;    ///< by grids
     bool stats = false;
 };
 
@@ -67,6 +72,9 @@ void refuse_contradictions(const ConvertArguments& options) {
     if (centre && options.conversion.depth == max_depth) {
         throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
     }
+    if (options.threads && (options.nodes || options.technique != Technique::grids)) {
+        throw CLI::ValidationError("--threads", "only grids are converted on several threads");
+    }
     if (options.technique != Technique::bintree) return;
     if (centre) throw CLI::ValidationError("--technique", "bintree has no centre leaves");
     if (options.nodes) throw CLI::ValidationError("--technique", "--fit converts by divide and conquer");
@@ -80,7 +88,11 @@ Converted convert(const ConvertArguments& options, const CheckedSolid& solid, Wi
     if (options.nodes) return divide_to_fit(solid, conversion, *options.nodes, progress);
     if (options.technique == Technique::bintree) return label(solid, conversion, progress);
     if (options.technique == Technique::divide) return divide(solid, conversion, progress);
-    return convert_by_grids(solid, conversion, progress);
+    const unsigned threads =
+        options.threads.value_or(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+    const bool apart = threads > 1 && conversion.depth > most_grid_levels; // otherwise there is one grid
+    return apart ? convert_octants_apart(solid, conversion, threads, progress)
+                 : convert_by_grids(solid, conversion, progress);
 }
 
 void run_convert(const ConvertArguments& options, const Console& console) {
@@ -145,6 +157,13 @@ void add_convert(CLI::App& app, const Console& console) {
             return parse_node_budget(text) ? std::string() : "expected nodes of a pool, or B, KB or MB";
         })
         ->type_name("SIZE");
+    command
+        ->add_option("--threads", options->threads,
+                     "How many threads convert by grids, up to 8; the tree is the same (default: as many as "
+                     "the machine "
+                     "runs at once)")
+        ->check(CLI::Range(1, 8).description(""))
+        ->type_name("N");
     add_solid_options(*command, options->solid);
     command->add_flag(
         "--stats", options->stats,
