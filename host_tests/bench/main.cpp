@@ -33,6 +33,10 @@ void add_conversions() {
     }
 }
 
+void add_threads() {
+    for (const char* solid : {"armadillo", "rotor", "sphere-1310720"}) osem::bench::add_threads(solid, 10);
+}
+
 void add_booleans() {
     using osem::Operator;
     for (int depth = 8; depth <= 10; ++depth) {
@@ -50,6 +54,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     add_conversions();
+    add_threads();
     add_booleans();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

@@ -12,13 +12,15 @@ from targets import judged
 METHODS = {
     "convert": ["scan-runs", "scan-bits", "osem-centre", "osem-three", "plain-centre",
                 "plain-three", "vdb-fill"],
+    "threads": ["threads-1", "threads-2", "threads-4", "threads-8"],
     "union": ["runs", "osem-pool", "osem-stream", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
               "cgal"],
 }
 METHODS["intersection"] = METHODS["difference"] = METHODS["union"]
-FLOOR = {"convert": "scan-runs", "union": "runs", "intersection": "runs", "difference": "runs"}
+FLOOR = {"convert": "scan-runs", "threads": "threads-1", "union": "runs", "intersection": "runs", "difference": "runs"}
 TITLES = {
     "convert": "Conversion",
+    "threads": "Conversion on several threads, both passes, by the clock",
     "union": "Union",
     "intersection": "Intersection",
     "difference": "Difference",
@@ -82,7 +84,9 @@ def report(found):
         if not found.subjects(theme):
             continue
         columns = ["octants", "boundary_cells"] if theme == "convert" else ["nodes"]
-        parts += [f"## {title}\n", ratios(found, theme), details(found, theme, columns)]
+        parts += [f"## {title}\n", ratios(found, theme)]
+        if theme != "threads":
+            parts += [details(found, theme, columns)]
     parts += ["## Targets\n", table(["target", "limit", "measured", ""], judged(found))]
     return "\n".join(parts)
 

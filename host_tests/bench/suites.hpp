@@ -1,5 +1,5 @@
 // Registers what is measured. Names are theme/solid/cells along an axis/method; all methods run on one
-// thread.
+// thread, but for those that say otherwise.
 #ifndef OSEM_BENCH_SUITES_HPP
 #define OSEM_BENCH_SUITES_HPP
 
@@ -23,6 +23,7 @@ inline std::string boolean_name(const Pair& pair, Operator op) {
 }
 
 void add_conversions(const std::string& solid, int depth);
+void add_threads(const std::string& solid, int depth);
 void add_boolean(const Pair& pair, Operator op);
 
 /// These are there where their libraries are.

@@ -43,6 +43,9 @@ def conversion_targets(found):
     yield "a face smaller than a leaf, at 1024", "<=", 100, "ns", ns_a_small_face(found)
     yield ("a boundary leaf, rotor at 1024", "<=", 12, "ns",
            quotient(found, ("convert", "rotor", 1024, "osem-three"), "boundary_cells", 1e6))
+    yield ("two threads, armadillo at 1024: time of one, to theirs", ">=", 1.7, "x",
+           ratio(found.ms("threads", "armadillo", 1024, "threads-1"),
+                 found.ms("threads", "armadillo", 1024, "threads-2")))
     yield "pool, bytes an internal node", "<=", 6, "bytes", bytes_a_node(found)
 
 
@@ -50,7 +53,7 @@ def boolean_targets(found):
     def union(method):
         return found.ms("union", PAIR, 1024, method)
 
-    yield ("BoolGrid topology union at 1024: time, to the pool's", ">=", 5, "x",
+    yield ("MaskGrid topology union at 1024: time, to the pool's", ">=", 5, "x",
            ratio(union("vdb-topology"), union("osem-pool")))
     yield ("CGAL corefinement at 1024: time, to the pool's", ">=", 100, "x", ratio(union("cgal"), union("osem-pool")))
     yield ("stream union at 1024, an input node", "<=", 1, "ns",
