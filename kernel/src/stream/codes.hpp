@@ -27,45 +27,51 @@ using Codes = std::conditional_t<sizeof(void*) == 8, std::uint64_t, std::uint32_
 /// Bytes that codes_at reads.
 constexpr unsigned codes_size = sizeof(Codes);
 
-/// The codes from number `at` on, the first one lowest; at most three are missing of what Codes could hold.
-inline Codes codes_at(const std::uint8_t* bytes, unsigned at) {
-    bytes += at / 4;
+/// The codes from a bit on, the first one lowest; at most three are missing of what Codes could hold.
+inline Codes codes_at(const std::uint8_t* bytes, unsigned bit) {
+    bytes += bit / 8;
     Codes codes = word_at(bytes);
     if constexpr (codes_size == 8) codes |= static_cast<Codes>(word_at(bytes + 4)) << (codes_size * 4);
-    return codes >> (2 * (at % 4));
+    return codes >> (bit % 8);
 }
 
-/// The lower bit of each of eight codes that is grey's.
-constexpr unsigned grey_codes(unsigned codes) { return (codes >> 1) & ~codes & 0x5555U; }
+/// The lower bit of each code that is grey's.
+constexpr Codes grey_codes(Codes codes) {
+    return (codes >> 1) & ~codes & static_cast<Codes>(0x5555555555555555U);
+}
 
-/// The place of the lowest bit that is set, of bits 0, 2, 4 ... 16; halved.
-constexpr unsigned plain_place(unsigned bits) {
+/// The number of the lowest bit that is set, of bits 0, 2, 4 ... 16.
+constexpr unsigned plain_lowest_bit(unsigned bits) {
     // The factor's top four bits tell the nine powers of four apart.
-    constexpr std::uint8_t places[16] = {1, 5, 0, 2, 0, 0, 6, 0, 4, 0, 7, 8, 0, 0, 3, 0};
-    return places[(((bits & (0U - bits)) * 0xc386bbc5U) & 0xffffffffU) >> 28];
+    constexpr std::uint8_t numbers[16] = {2, 10, 0, 4, 0, 0, 12, 0, 8, 0, 14, 16, 0, 0, 6, 0};
+    return numbers[(((bits & (0U - bits)) * 0xc386bbc5U) & 0xffffffffU) >> 28];
 }
 
-constexpr unsigned lowest_place(unsigned bits) {
+constexpr unsigned lowest_bit(unsigned bits) {
 #if defined(__ARM_FEATURE_CLZ) || defined(__x86_64__) || defined(__i386__) || defined(__aarch64__)
-    return static_cast<unsigned>(__builtin_ctz(bits)) / 2;
+    return static_cast<unsigned>(__builtin_ctz(bits));
 #else
-    return plain_place(bits);
+    return plain_lowest_bit(bits);
 #endif
 }
 
-constexpr bool places_are_right() {
-    for (unsigned place = 0; place <= 8; ++place) {
-        if (plain_place(1U << (2 * place)) != place) return false;
-        if (plain_place(0x15555U & ~((1U << (2 * place)) - 1U)) != place) return false;
+constexpr bool numbers_are_right() {
+    for (unsigned number = 0; number <= 16; number += 2) {
+        if (plain_lowest_bit(1U << number) != number) return false;
+        if (plain_lowest_bit(0x15555U & ~((1U << number) - 1U)) != number) return false;
     }
     return true;
 }
-static_assert(places_are_right(), "one entry for each power of four");
+static_assert(numbers_are_right(), "one entry for each power of four");
 
-/// How many leaves stand in a row: `left`, or fewer when a grey one is among the first eight codes.
-constexpr unsigned leaf_run(unsigned codes, unsigned left) {
-    return lowest_place(grey_codes(codes) | 1U << (2 * left));
+/// The bits of the leaves that stand in a row, at most `left`, which is up to 16.
+constexpr unsigned leaf_bits(Codes greys, unsigned left) {
+    return lowest_bit(static_cast<unsigned>(greys) | 1U << left);
 }
+
+/// Whether none of the next eight codes is grey, and whether they are eight times the same.
+constexpr bool eight_leaves(Codes greys) { return (greys & 0xffffU) == 0; }
+constexpr bool eight_alike(Codes codes) { return ((codes ^ (codes & 3U) * 0x5555U) & 0xffffU) == 0; }
 
 /// Codes of the complement, as many as there are: `may` is the even bits, `must` the odd ones, those of a
 /// complement are (~must, ~may), and grey stays grey.

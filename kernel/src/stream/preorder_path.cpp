@@ -4,6 +4,14 @@
 
 namespace osem {
 
+namespace {
+
+constexpr bool wide = codes_size == 8; // a register holds the codes of a turn of take_buffered, mostly of two
+constexpr unsigned turn_bits = 32;     // seven leaves, a grey octant and its children
+constexpr unsigned window_bits = 64 - 6; // of a wide register: what is there wherever it begins in a byte
+
+} // namespace
+
 void PreorderPath::begin(int depth, std::uint32_t nodes) {
     nodes_left_ = nodes;
     depth_ = static_cast<std::uint8_t>(depth);
@@ -45,56 +53,66 @@ Status PreorderPath::ascend() {
 }
 
 // Takes the codes below the octants open at level `floor`, as far as at most `most` of them are grey and they
-// begin before `limit`: a turn takes 16 codes at most. Leaves `at` behind the last one taken. What
-// lies behind the payload is read as well, but nothing depends on it.
+// begin before `limit`: a turn takes 16 codes at most. Leaves `at` behind the last one taken. What lies
+// behind the payload is read as well, but nothing depends on it.
 Status PreorderPath::take_buffered(const std::uint8_t* bytes, unsigned& at, unsigned limit, int floor,
                                    std::uint32_t most) {
     const std::uint32_t least = nodes_left_ > most ? nodes_left_ - most : 0;
+    const unsigned end = 2 * limit; // bits, as is what follows but for nodes and levels
+    const int depth = depth_;
     std::uint32_t nodes = nodes_left_;
     int level = level_;
-    unsigned left = left_[level];
-    unsigned code = at;
-    Status status = Status::ok;
-    while (code < limit) {
-        Codes codes = codes_at(bytes, code);
-        const unsigned run = leaf_run(static_cast<unsigned>(codes), left);
-        if (run == left) {
-            code += left;
-            if (left == 8 && is_one_leaf(static_cast<std::uint16_t>(codes))) {
-                status = Status::stream_not_canonical;
-                break;
-            }
-            left = left_[--level];
-            if (level == floor) break;
-            continue;
+    unsigned left = 2U * left_[level];
+    unsigned bit = 2 * at;
+    Codes codes = 0;
+    Codes greys = 0;
+    unsigned ready = 0;
+    bool equal = false; // eight leaves
+    while (bit < end) {
+        if (!wide || ready < turn_bits) {
+            codes = codes_at(bytes, bit);
+            greys = grey_codes(codes);
+            ready = window_bits;
         }
-        if (nodes == least || level >= depth_) {
-            if (nodes != 0 && level < depth_) break;
-            code += run + 1;
-            status = level >= depth_ ? Status::stream_too_deep : Status::stream_count_mismatch;
-            break;
-        }
-        --nodes;
-        code += run + 1;
-        left -= run + 1;
-        codes = codes_size == 8 ? codes >> (2 * run + 2) : codes_at(bytes, code);
-        if (grey_codes(static_cast<unsigned>(codes)) == 0) { // eight leaves
-            code += 8;
-            if (is_one_leaf(static_cast<std::uint16_t>(codes))) {
-                status = Status::stream_not_canonical;
-                break;
-            }
+        unsigned row = leaf_bits(greys, left);
+        if (row == left) { // to the end of the octant
+            bit += row;
+            equal = left == 16 && eight_alike(codes);
+            left = 2U * left_[--level];
+            if (equal || level == floor) break;
         } else {
-            left_[level++] = static_cast<std::uint8_t>(left);
-            left = 8;
+            if (nodes == least || level == depth) break;
+            --nodes;
+            row += 2;
+            bit += row;
+            left -= row;
+            const Codes below = wide ? codes >> row : codes_at(bytes, bit);
+            if (eight_leaves(grey_codes(below))) {
+                row += 16;
+                bit += 16;
+                equal = eight_alike(below);
+                if (equal) break;
+            } else {
+                left_[level++] = static_cast<std::uint8_t>(left / 2);
+                left = 16;
+            }
+        }
+        if (wide) {
+            codes >>= row;
+            greys >>= row;
+            ready -= row;
         }
     }
-    at = code;
+    at = bit / 2;
     nodes_left_ = nodes;
     level_ = static_cast<std::uint8_t>(level);
-    left_[level] = static_cast<std::uint8_t>(left);
+    left_[level] = static_cast<std::uint8_t>(left / 2);
     alike_ = false;
-    return status != Status::ok || level > floor ? status : ascend();
+    if (equal) return Status::stream_not_canonical;
+    if (level == floor) return ascend();
+    if (bit >= end || (nodes != 0 && level < depth)) return Status::ok;
+    at += leaf_bits(greys, left) / 2 + 1; // a grey octant that may not be
+    return level == depth ? Status::stream_too_deep : Status::stream_count_mismatch;
 }
 
 // The octant of a level whose code is the last one taken of that level.

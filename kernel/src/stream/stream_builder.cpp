@@ -10,7 +10,7 @@ namespace osem {
 namespace {
 
 std::uint32_t codes_of(const std::uint8_t* bytes, unsigned at, bool inverted) {
-    const auto codes = static_cast<std::uint32_t>(codes_at(bytes, at));
+    const auto codes = static_cast<std::uint32_t>(codes_at(bytes, 2 * at));
     return inverted ? complemented(codes) : codes;
 }
 

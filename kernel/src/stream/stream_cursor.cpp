@@ -108,7 +108,7 @@ void StreamCursor::next() { path_.whole() ? end() : arrive(); }
 
 bool StreamCursor::leaf_children(std::uint16_t& codes) const {
     if (colour_ != Colour::grey) return false;
-    codes = static_cast<std::uint16_t>(codes_at(buffer_, at_));
+    codes = static_cast<std::uint16_t>(codes_at(buffer_, 2 * at_));
     return grey_codes(codes) == 0 && !is_one_leaf(codes);
 }
 
