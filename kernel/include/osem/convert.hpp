@@ -20,6 +20,11 @@ enum class LeafRule : std::uint8_t {
     centre,       ///< black or white, as the leaf's centre moved by (e, e^2, e^3) for an infinitesimal e > 0
 };
 
+/// A leaf at full depth whose centre is asked for has one on the lattice.
+constexpr int greatest_depth(LeafRule leaves) {
+    return leaves == LeafRule::centre ? max_depth - 1 : max_depth;
+}
+
 struct ConvertOptions {
     int depth = 8; ///< leaves of side 2^(20 - depth); 1 to 20 (19 with centre leaves)
     LeafRule leaves = LeafRule::conservative;

@@ -7,8 +7,8 @@ namespace osem {
 Status Conversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                          std::uint32_t scratch_size, NodePool* pool) {
     builder_.abandon();
-    const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
-    if (options.depth < 1 || options.depth > greatest_depth) return Status::depth_out_of_range;
+    if (options.depth < 1 || options.depth > greatest_depth(options.leaves))
+        return Status::depth_out_of_range;
     if (scratch_size < convert_scratch(solid.view())) return Status::scratch_too_small;
     faces_.begin(solid, scratch);
     options_ = options;

@@ -80,8 +80,7 @@ CsgFault CsgConversion::begin(const CsgToken* tokens, std::uint32_t token_count,
     fault.status = expression_.begin(tokens, token_count, operand_count, fault.token);
     if (fault.status != Status::ok) return fault;
     fault.token = 0;
-    const int greatest_depth = options.leaves == LeafRule::centre ? max_depth - 1 : max_depth;
-    if (options.depth < 1 || options.depth > greatest_depth) {
+    if (options.depth < 1 || options.depth > greatest_depth(options.leaves)) {
         return {Status::depth_out_of_range, 0, operand_count, 0};
     }
     for (std::uint32_t i = 0; i < operand_count; ++i) {
