@@ -33,10 +33,10 @@ class StreamCombination {
     /// Starts the complement of `a` in the root octant.
     Status begin_complement(const Source& a, const Sink& sink);
 
-    /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; below a grey octant that
-    /// goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at most
-    /// twice the octants of both operands. An octant costs O(1) and at times a read or a write of at most 64
-    /// bytes.
+    /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; below a grey octant
+    /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
+    /// most twice the octants of both operands. An octant costs O(1) and at times a read or a write of at
+    /// most 64 bytes.
     bool step(std::uint32_t octants);
 
     /// Exact progress over both passes: half of the root's volume (2^60 cells) is decided by each.

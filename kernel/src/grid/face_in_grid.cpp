@@ -170,27 +170,45 @@ class PassedOctants {
     CountOverPlane below_;     // how many reach below it
 };
 
+// Those of one row; apart, so that it takes no stack while octants are classified.
+[[gnu::noinline]] IndexRange passed_in_row(const Plane& plane, const OctantGrid& grid, const IndexRange& x,
+                                           int j, int k) {
+    const IndexRange range[3] = {x, {j, j}, {k, k}};
+    PassedOctants passed(plane, grid, range);
+    return common(x, {passed.not_above(j, k).count(), passed.below(j, k).count() - 1});
+}
+
 } // namespace
+
+void FaceInGrid::mark(std::uint32_t* rows) const {
+    const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
+    if (range[0].empty() || range[1].empty() || range[2].empty()) return;
+    if (end_ - corners_ == 3 && axes_within(range) > 1) return mark_all(range, rows);
+    const Plane plane(solid_, corners_, end_);
+    if (is_convex(plane)) {
+        mark_convex(plane, range, rows);
+    } else {
+        classify_octants(plane, range, rows);
+    }
+}
+
+int FaceInGrid::axes_within(const IndexRange (&range)[3]) const {
+    int axes = 0;
+    for (int axis = 0; axis < 3; ++axis) axes += is_within(axis, range[axis]) ? 1 : 0;
+    return axes;
+}
 
 // The separating axes of a box and a convex face: the box's own are the ranges; those across an edge are the
 // squares' as seen along each axis; and the plane. A face between the ends of one interval along an axis
 // meets what it is seen to meet along that axis; and between two such pairs it meets all in its box.
-void FaceInGrid::mark(std::uint32_t* rows) const {
-    const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
-    if (range[0].empty() || range[1].empty() || range[2].empty()) return;
-    const bool within[3] = {is_within(0, range[0]), is_within(1, range[1]), is_within(2, range[2])};
-    if (end_ - corners_ == 3 && (within[0] ? within[1] || within[2] : within[1] && within[2])) {
-        return mark_all(range, rows);
-    }
-    const Plane plane(solid_, corners_, end_);
-    if (!is_convex(plane)) return classify_octants(plane, range, rows);
+void FaceInGrid::mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows) const {
     Slabs x_by_y(grid_);
     Slabs x_by_z(grid_);
     Slabs y_by_z(grid_);
     see(axis_x, axis_y, plane, range, x_by_y);
     see(axis_x, axis_z, plane, range, x_by_z);
     see(axis_y, axis_z, plane, range, y_by_z);
-    const bool is_cut = !plane.is_null() && !within[0] && !within[1] && !within[2];
+    const bool is_cut = !plane.is_null() && axes_within(range) == 0;
     PassedOctants passed(plane, grid_, range);
     for (int k = range[2].first; k <= range[2].last; ++k) {
         const IndexRange x = common(x_by_z.at(k), range[0]);
@@ -220,13 +238,9 @@ void FaceInGrid::mark_all(const IndexRange (&range)[3], std::uint32_t* rows) con
 // The same for a face of any rings, octant by octant.
 void FaceInGrid::classify_octants(const Plane& plane, const IndexRange (&range)[3],
                                   std::uint32_t* rows) const {
-    PassedOctants passed(plane, grid_, range);
     for (int k = range[2].first; k <= range[2].last; ++k) {
         for (int j = range[1].first; j <= range[1].last; ++j) {
-            IndexRange x = range[0];
-            if (!plane.is_null()) {
-                x = common(x, {passed.not_above(j, k).count(), passed.below(j, k).count() - 1});
-            }
+            const IndexRange x = plane.is_null() ? range[0] : passed_in_row(plane, grid_, range[0], j, k);
             for (int i = x.first; i <= x.last; ++i) {
                 Box box = {grid_.at(i, j, k), {}};
                 for (int axis = 0; axis < 3; ++axis) box.hi.at[axis] = box.lo.at[axis] + grid_.length();
@@ -236,8 +250,8 @@ void FaceInGrid::classify_octants(const Plane& plane, const IndexRange (&range)[
     }
 }
 
-std::uint64_t FaceInGrid::octants_met() const {
-    std::uint32_t rows[16] = {};
+std::uint64_t FaceInGrid::octants_met(std::uint32_t* rows) const {
+    for (int row = 0; row < grid_.rows(); ++row) rows[row] = 0;
     mark(rows);
     return as_mask(rows, grid_.levels);
 }

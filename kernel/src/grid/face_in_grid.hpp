@@ -16,8 +16,8 @@ class FaceInGrid {
   public:
     FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid);
 
-    /// The octants of a grid of up to 64 that it meets: as mark.
-    std::uint64_t octants_met() const;
+    /// The octants of a grid of up to 64 that it meets: as mark. `rows` is scratch for a word each.
+    std::uint64_t octants_met(std::uint32_t* rows) const;
 
     /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
     /// quadrangles: a few steps for each row of octants that it is seen to meet along x, and for each row of
@@ -39,7 +39,10 @@ class FaceInGrid {
         return grid_.octants_between(axis, low_.at[axis], high_.at[axis]);
     }
     bool is_within(int axis, const IndexRange& range) const;
+    int axes_within(const IndexRange (&range)[3]) const;
     IndexRange between(int axis) const { return grid_.points_between(axis, low_.at[axis], high_.at[axis]); }
+    [[gnu::noinline]] void mark_convex(const Plane& plane, const IndexRange (&range)[3],
+                                       std::uint32_t* rows) const; // its tables are not there for others
     void mark_all(const IndexRange (&range)[3], std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const IndexRange (&range)[3], Slabs& slabs) const;
     void add_edge(int u, int v, const SeenEdge& edge, bool left, Slabs& slabs) const;

@@ -22,12 +22,12 @@ struct GridList {
     const std::uint32_t* end;
     std::uint32_t step; // words an entry
 
-    // Notes for every face which octants it meets; the union. Adds what is crossed.
-    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings) const {
+    // Notes for every face which octants it meets; the union. Adds what is crossed. `rows` is scratch.
+    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* rows) const {
         std::uint64_t met = 0;
         for (std::uint32_t* entry = first; entry != end; entry += step) {
             const FaceInGrid face(solid, *entry, grid);
-            const std::uint64_t octants = face.octants_met();
+            const std::uint64_t octants = face.octants_met(rows);
             entry[1] = static_cast<std::uint32_t>(octants);
             entry[2] = static_cast<std::uint32_t>(octants >> 32);
             met |= octants;
@@ -37,7 +37,7 @@ struct GridList {
     }
 
     // The same, the octants met in rows, if they are wanted.
-    void meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met) const {
+    void meet_leaves(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met) const {
         for (const std::uint32_t* entry = first; entry != end; entry += step) {
             const FaceInGrid face(solid, *entry, grid);
             if (met != nullptr) face.mark(met);
@@ -189,11 +189,11 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
     const std::uint32_t behind = words + winding_words;
     RowWindings windings(scratch_ + behind, scratch_size_ - behind, grid.levels, options_.winding);
     if (windings.overflowed()) return overflow();
-    const std::uint64_t met = list.meet(grid, windings);
+    const std::uint64_t met = list.meet(grid, windings, scratch_ + words); // where winding numbers are to be
     windings.finish(winding);
     if (windings.overflowed()) return overflow();
     reserve(behind, windings.words_used());
-    std::uint32_t rows[16];
+    std::uint32_t* const rows = scratch_ + words;
     windings.inside(rows);
     const std::uint64_t open = in_morton_order(met);
     const std::uint64_t inside = in_morton_order(as_mask(rows, grid.levels) & ~met);
@@ -229,7 +229,7 @@ void GridConversion::visit_last(const Point& corner, std::uint32_t first, std::u
     std::uint32_t* const inside = scratch_ + behind;
     RowWindings windings(inside, scratch_size_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
-    list.meet(grid, windings, met);
+    list.meet_leaves(grid, windings, met);
     windings.finish(winding);
     if (windings.overflowed()) return overflow();
     reserve(behind, windings.words_used());
