@@ -30,24 +30,25 @@ def add_same(figures, more):
 
 def measure_code(directory):
     """Flash, sizes and stack bounds; those of the default index width are reported."""
-    figures, bounds = {}, {}
+    figures, bounds, on_top = {}, {}, {}
     for processor, bits in CONFIGURATIONS:
         build = build_kernel(REPOSITORY / "kernel", processor, bits, directory)
         whole_image = flash.link_whole_kernel(build)
         figures.update(flash.figures(build, whole_image))
         add_same(figures, ram.sizes(build))
-        found = stack_bound.bounds(build, whole_image)
+        found, more = stack_bound.bounds(build, whole_image)
         if bits == INDEX_BITS[0]:
             bounds[processor] = found
-    return figures, bounds
+            on_top[processor] = more
+    return figures, bounds, on_top
 
 
-def measure_runs(directory, bounds):
+def measure_runs(directory, bounds, on_top):
     figures = {}
     for processor in PROCESSORS:
         programs = images.build_images(processor, directory)
         measured = images.painted(processor, programs)
-        images.check_painted(processor, bounds[processor], measured)
+        images.check_painted(processor, bounds[processor], on_top[processor], measured)
         for name, bound in bounds[processor].items():
             figures[f"stack/{name}/{processor.name}"] = bound
             figures[f"painted/{name}/{processor.name}"] = measured[name]
@@ -57,8 +58,8 @@ def measure_runs(directory, bounds):
 
 
 def measure(options):
-    figures, bounds = measure_code(options.build)
-    figures.update(measure_runs(options.build, bounds))
+    figures, bounds, on_top = measure_code(options.build)
+    figures.update(measure_runs(options.build, bounds, on_top))
     for name, image in options.image:
         figures.update(ram.image_figures(name, image))
     return figures

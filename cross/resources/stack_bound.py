@@ -48,8 +48,17 @@ def check_whole_graph(graph):
         graph.deepest(name)
 
 
+def of_memory_source(graph):
+    """What comes on top while the kernel's own source in memory is read."""
+    readers = [symbol for symbol in graph.frames if "read_memory" in symbol]
+    if len(readers) != 1:
+        raise Failure(f"expected one source in memory, found {len(readers)}")
+    return graph.deepest(readers[0])
+
+
 def bounds(build, whole_image):
-    """Bytes by the public functions' names, without the namespace."""
+    """Bytes by the public functions' names, without the namespace; and how many more painting may show, as it reads
+    streams from memory."""
     graph = read_kernel(build)
     add_helpers(graph, whole_image)
     check_whole_graph(graph)
@@ -63,4 +72,5 @@ def bounds(build, whole_image):
     missing = sorted(public - found.keys())
     if missing:
         raise Failure(f"declared but nowhere defined: {', '.join(missing)}")
-    return found
+    source = of_memory_source(graph)
+    return found, {name: source for name, whose in CALLS_BACK.items() if "source" in whose}

@@ -318,8 +318,8 @@ TEST(GridConversion, EveryScratchTooSmallIsRefusedAndGivingUpRollsBack) {
     GridConversion job;
     Words enough(grid_scratch(solid.view(), 6, 3));
     // Two grids above the last one: 8 faces x (3 + 3 + 1) and 2 x 64; and 64 rows of 4 words, 4 for winding
-    // numbers up to 24 corners, and a sixteenth.
-    EXPECT_EQ(enough.size(), 56U + 128U + 64U * 8U + 4U);
+    // numbers up to 24 corners, and 48.
+    EXPECT_EQ(enough.size(), 56U + 128U + 64U * 8U + 48U);
     HeapPool pool(20000);
     pool.fill_to(3);
     const PoolImage before(pool);

@@ -21,12 +21,15 @@ constexpr int upper_levels(int depth, int last_levels = most_grid_levels) {
 /// if their levels are odd.
 constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
 
+/// Words that a last grid takes beside its rows: for a face's tables, and then for parts of 4 x 4 x 4 leaves.
+constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 64; }
+
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
 /// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes three words
-/// for each of its 4^last_levels rows, a sixteenth of one more, and one more each time that winding numbers
-/// in it outgrow a power of two from 2 on. As a rule they do not, and a list is as long as what meets its
-/// octant: for 32 x 32 rows 4160 words, and about 3.5 a face, are mostly enough. Preconditions: depth is in
-/// [1, 20], last_levels in [1, 5].
+/// for each of its 4^last_levels rows, 48 (or 64, of 5 levels) beside them, and one more a row each time that
+/// winding numbers in it outgrow a power of two from 2 on. As a rule they do not, and a list is as long as
+/// what meets its octant: for 32 x 32 rows 4160 words, and about 3.5 a face, are mostly enough.
+/// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
     const auto grids = static_cast<std::uint64_t>(nested_grids(upper_levels(depth, last)));
@@ -34,7 +37,7 @@ constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_lev
     for (std::uint32_t most = solid.corner_count; most > 1; most >>= 1) ++words_a_row;
     const std::uint64_t rows = std::uint64_t{1} << (2 * last);
     const std::uint64_t upper_rows = grids == 0 ? 0 : 16 * words_a_row;
-    const std::uint64_t last_grid = rows * words_a_row + rows / 16;
+    const std::uint64_t last_grid = rows * words_a_row + last_grid_space(last);
     return std::uint64_t{solid.face_count} * (3 * grids + 1) + 64 * grids +
            (last_grid > upper_rows ? last_grid : upper_rows);
 }
@@ -65,7 +68,7 @@ class GridConversion {
     /// depth_out_of_range, also for last_levels and for an octant that is none or not above full depth;
     /// scratch_too_small for the faces. When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
-                 std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids = {});
+                 std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids = GridOptions());
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
     /// grid above; each triangle or convex quadrangle that meets the grid's octant against the rows that it
@@ -103,12 +106,18 @@ class GridConversion {
         std::uint64_t inside; ///< black ones among the others, in Morton order
         std::uint8_t child;   ///< the open child of the grid's octant
     };
-    void visit_root();
-    void visit_next();
-    void visit(const Point& corner, std::uint32_t first, std::uint32_t faces, std::int32_t winding);
+    struct Entry {
+        Point corner;         ///< of the octant entered
+        std::uint32_t first;  ///< word of its list
+        std::uint32_t faces;  ///< in the list
+        std::int32_t winding; ///< number of its reference point
+    };
+    bool enter_root(Entry& entry);
+    bool enter_next(Entry& entry);
+    void visit(const Entry& entry);
     void open_child(Frame& frame, unsigned child);
-    void visit_last(const Point& corner, std::uint32_t first, std::uint32_t faces, std::int32_t winding);
-    bool select(const Frame& above, unsigned place, std::uint32_t first, std::uint32_t& faces);
+    void visit_last(const Entry& entry);
+    bool select(const Frame& above, unsigned place, Entry& entry);
     bool reserve(std::uint32_t first, std::uint32_t words);
     void overflow();
     void close();
@@ -142,7 +151,7 @@ class GridConversion {
 /// memory.
 TreeOutcome convert(GridConversion& job, const CheckedSolid& solid, const ConvertOptions& options,
                     std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool,
-                    const GridOptions& grids = {});
+                    const GridOptions& grids = GridOptions());
 
 } // namespace osem
 

@@ -82,31 +82,32 @@ class FaceInGrid::Passages {
 };
 
 // Along y and z only from the first points along x, and along z only from the first along y.
-void FaceInGrid::add_crossings(RowWindings& windings) const {
+void FaceInGrid::add_crossings(RowWindings& windings, std::uint32_t* scratch) const {
     const IndexRange z = between(axis_z);
-    if (!z.empty()) pass(axis_x, between(axis_y), z, windings);
+    if (!z.empty()) pass(axis_x, between(axis_y), z, windings, scratch);
     const IndexRange first_x = common(between(axis_x), {0, 0});
     if (first_x.empty()) return;
-    pass(axis_y, first_x, z, windings);
-    pass(axis_z, first_x, common(between(axis_y), {0, 0}), windings);
+    pass(axis_y, first_x, z, windings, scratch);
+    pass(axis_z, first_x, common(between(axis_y), {0, 0}), windings, scratch);
 }
 
-void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& along_v,
-                      RowWindings& windings) const {
+void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
+                      std::uint32_t* scratch) const {
     const IndexRange own = between(axis); // no point, or every one, comes before the face
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
     const Plane plane(solid_, corners_, end_);
     if (plane.normal(axis).value() == 0) return; // seen as a line
     Passages passages(plane, grid_, axis, {own, along_u, along_v}, windings);
-    is_convex(plane) ? pass_convex(axis, along_u, along_v, passages)
-                     : pass_any(axis, along_u, along_v, passages);
+    is_convex(plane) ? pass_convex(axis, along_u, along_v, passages, scratch)
+                     : pass_any(axis, along_u, along_v, passages, scratch);
 }
 
 // A row crosses one edge that rises and one that falls.
 void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v,
-                             Passages& passages) const {
-    std::uint8_t left[2][32] =
-        {}; // in each row, how many points are left of the edge that falls, and that rises
+                             Passages& passages, std::uint32_t* scratch) const {
+    // In each row, how many points are left of the edge that falls, and, from 32 on, of the one that rises.
+    auto* const left = reinterpret_cast<std::uint8_t*>(scratch);
+    for (int row = 0; row < 64; ++row) left[row] = 0;
     const int u = u_of[axis];
     const int v = v_of[axis];
     const Point* a = &solid_.vertices[end_[-1]];
@@ -119,13 +120,13 @@ void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRan
         const LeftOfEdge left_of(edge, grid_, u, v);
         CountBelow<std::int32_t> count = left_of.row(rows.first);
         for (int row = rows.first; row <= rows.last; ++row) {
-            left[edge.rises ? 1 : 0][row] = static_cast<std::uint8_t>(count.count());
+            left[edge.rises ? 32 + row : row] = static_cast<std::uint8_t>(count.count());
             count.raise(left_of.change());
         }
     }
     for (int row = along_v.first; row <= along_v.last; ++row) {
-        const int falling = left[0][row];
-        const int rising = left[1][row];
+        const int falling = left[row];
+        const int rising = left[32 + row];
         const IndexRange seen =
             falling < rising ? IndexRange{falling, rising - 1} : IndexRange{rising, falling - 1};
         passages.add(row, common(seen, along_u), falling < rising ? 1 : -1);
@@ -133,10 +134,12 @@ void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRan
 }
 
 // The same for a face of any rings, row by row.
-void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v,
-                          Passages& passages) const {
+void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
+                          std::uint32_t* scratch) const {
+    // How often the rings wind around a point, less how often around the one before it.
+    auto* const change = reinterpret_cast<std::int32_t*>(scratch);
     for (int row = along_v.first; row <= along_v.last; ++row) {
-        std::int32_t change[33] = {}; // of how often the rings wind around a point, from the one before it
+        for (int u = 0; u <= grid_.side(); ++u) change[u] = 0;
         for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring) add_ring(ring, axis, row, change);
         std::int32_t winding = 0;
         for (int u = 0; u <= along_u.last; ++u) {
@@ -146,7 +149,7 @@ void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange&
     }
 }
 
-void FaceInGrid::add_ring(std::uint32_t r, int axis, int row, std::int32_t (&change)[33]) const {
+void FaceInGrid::add_ring(std::uint32_t r, int axis, int row, std::int32_t* change) const {
     const Ring ring = solid_.ring(r);
     const int u = u_of[axis];
     const int v = v_of[axis];

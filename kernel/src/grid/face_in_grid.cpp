@@ -51,7 +51,8 @@ bool FaceInGrid::is_within(int axis, const IndexRange& range) const {
 // along v. Its ends are kept within one square beside the grid.
 class FaceInGrid::Slabs {
   public:
-    explicit Slabs(const OctantGrid& grid) : grid_(grid) {}
+    // Memory: 64 bytes.
+    Slabs(const OctantGrid& grid, std::int8_t* bytes) : grid_(grid), first_(bytes), last_(bytes + 32) {}
 
     void fill(const IndexRange& slabs, const IndexRange& range) {
         for (int slab = slabs.first; slab <= slabs.last; ++slab) {
@@ -80,8 +81,8 @@ class FaceInGrid::Slabs {
 
   private:
     const OctantGrid& grid_;
-    std::int8_t first_[32];
-    std::int8_t last_[32];
+    std::int8_t* first_;
+    std::int8_t* last_;
 };
 
 // A convex face has inner points in an open slab wherever it has any; what it is seen to meet of a slab is in
@@ -142,51 +143,76 @@ namespace {
 // are 2^41 at most, and fewer than 100 are taken.
 class PassedOctants {
   public:
-    PassedOctants(const Plane& plane, const OctantGrid& grid, const IndexRange (&range)[3])
-        : not_above_(rows(plane, grid, 1), grid.side(), range[0].first, range[1].first, range[2].first),
-          below_(rows(plane, grid, -1), grid.side(), range[0].first, range[1].first, range[2].first) {}
+    using Count = CountBelow<std::int64_t>;
 
-    CountOverPlane::Count not_above(int j, int k) { return not_above_.at(j, k); }
-    CountOverPlane::Count below(int j, int k) { return below_.at(j, k); }
-    std::int64_t step_along_y() const { return below_.step_u(); }
+    PassedOctants(const Plane& plane, const OctantGrid& grid, const IndexRange (&range)[3])
+        : PassedOctants(plane, grid, plane.normal(0).value() < 0 ? -1 : 1, range) {}
+
+    void move_to(int j, int k) {
+        const std::int64_t change = (j - j_) * step_y_ + (k - k_) * step_z_;
+        not_above_.raise(change);
+        below_.raise(change);
+        j_ = j;
+        k_ = k;
+    }
+    const Count& not_above() const { return not_above_; } // how many of the row do not reach above the plane
+    const Count& below() const { return below_; }         // how many reach below it
+    std::int64_t step_along_y() const { return step_y_; }
 
   private:
-    // The values at the octants' corner where they are greatest, or, with sign -1, least; the greatest ones
-    // rounded down from just below.
-    static PlaneOfRows rows(const Plane& plane, const OctantGrid& grid, int sign) {
-        const int turn = plane.normal(0).value() < 0 ? -1 : 1;
-        const std::int64_t value = turn * plane.at(grid.corner).value();
-        PlaneOfRows rows = {sign < 0 ? value >> grid.shift : ~(-value >> grid.shift),
-                            turn * plane.normal(0).value(), turn * plane.normal(1).value(),
-                            turn * plane.normal(2).value()};
-        const std::int64_t steps[3] = {rows.step, rows.step_u, rows.step_v};
-        for (const std::int64_t step : steps) {
-            if ((step < 0) == (sign < 0)) rows.first += step;
-        }
-        return rows;
+    PassedOctants(const Plane& plane, const OctantGrid& grid, int turn, const IndexRange (&range)[3])
+        : step_y_(turn * plane.normal(1).value()), step_z_(turn * plane.normal(2).value()),
+          j_(range[1].first), k_(range[2].first),
+          not_above_(greatest_at(plane, grid, turn), turn * plane.normal(0).value(), grid.side(),
+                     range[0].first),
+          below_(least_at(plane, grid, turn), turn * plane.normal(0).value(), grid.side(), range[0].first) {
+        const std::int64_t change = j_ * step_y_ + k_ * step_z_;
+        not_above_.raise(change);
+        below_.raise(change);
     }
 
-    CountOverPlane not_above_; // how many of a row do not reach above the plane
-    CountOverPlane below_;     // how many reach below it
+    // The values at the first octant's corner where they are least, or greatest; those rounded down from just
+    // below.
+    static std::int64_t least_at(const Plane& plane, const OctantGrid& grid, int turn) {
+        return (turn * plane.at(grid.corner).value() >> grid.shift) + steps(plane, turn, true);
+    }
+    static std::int64_t greatest_at(const Plane& plane, const OctantGrid& grid, int turn) {
+        return ~(-turn * plane.at(grid.corner).value() >> grid.shift) + steps(plane, turn, false);
+    }
+    static std::int64_t steps(const Plane& plane, int turn, bool down) {
+        std::int64_t sum = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t step = turn * plane.normal(axis).value();
+            if ((step < 0) == down) sum += step;
+        }
+        return sum;
+    }
+
+    std::int64_t step_y_;
+    std::int64_t step_z_;
+    int j_;
+    int k_;
+    Count not_above_;
+    Count below_;
 };
 
 // Those of one row; apart, so that it takes no stack while octants are classified.
 [[gnu::noinline]] IndexRange passed_in_row(const Plane& plane, const OctantGrid& grid, const IndexRange& x,
                                            int j, int k) {
     const IndexRange range[3] = {x, {j, j}, {k, k}};
-    PassedOctants passed(plane, grid, range);
-    return common(x, {passed.not_above(j, k).count(), passed.below(j, k).count() - 1});
+    const PassedOctants passed(plane, grid, range);
+    return common(x, {passed.not_above().count(), passed.below().count() - 1});
 }
 
 } // namespace
 
-void FaceInGrid::mark(std::uint32_t* rows) const {
+void FaceInGrid::mark(std::uint32_t* rows, std::uint32_t* scratch) const {
     const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && axes_within(range) > 1) return mark_all(range, rows);
     const Plane plane(solid_, corners_, end_);
     if (is_convex(plane)) {
-        mark_convex(plane, range, rows);
+        mark_convex(plane, range, rows, scratch);
     } else {
         classify_octants(plane, range, rows);
     }
@@ -201,10 +227,12 @@ int FaceInGrid::axes_within(const IndexRange (&range)[3]) const {
 // The separating axes of a box and a convex face: the box's own are the ranges; those across an edge are the
 // squares' as seen along each axis; and the plane. A face between the ends of one interval along an axis
 // meets what it is seen to meet along that axis; and between two such pairs it meets all in its box.
-void FaceInGrid::mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows) const {
-    Slabs x_by_y(grid_);
-    Slabs x_by_z(grid_);
-    Slabs y_by_z(grid_);
+void FaceInGrid::mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows,
+                             std::uint32_t* scratch) const {
+    auto* const tables = reinterpret_cast<std::int8_t*>(scratch);
+    Slabs x_by_y(grid_, tables);
+    Slabs x_by_z(grid_, tables + 64);
+    Slabs y_by_z(grid_, tables + 128);
     see(axis_x, axis_y, plane, range, x_by_y);
     see(axis_x, axis_z, plane, range, x_by_z);
     see(axis_y, axis_z, plane, range, y_by_z);
@@ -214,8 +242,9 @@ void FaceInGrid::mark_convex(const Plane& plane, const IndexRange (&range)[3], s
         const IndexRange x = common(x_by_z.at(k), range[0]);
         const IndexRange y = common(y_by_z.at(k), range[1]);
         if (y.empty()) continue;
-        auto begin = passed.not_above(y.first, k);
-        auto end = passed.below(y.first, k);
+        passed.move_to(y.first, k);
+        PassedOctants::Count begin = passed.not_above();
+        PassedOctants::Count end = passed.below();
         for (int j = y.first; j <= y.last; ++j) {
             IndexRange met = common(x, x_by_y.at(j));
             if (is_cut) {
@@ -250,10 +279,10 @@ void FaceInGrid::classify_octants(const Plane& plane, const IndexRange (&range)[
     }
 }
 
-std::uint64_t FaceInGrid::octants_met(std::uint32_t* rows) const {
-    for (int row = 0; row < grid_.rows(); ++row) rows[row] = 0;
-    mark(rows);
-    return as_mask(rows, grid_.levels);
+std::uint64_t FaceInGrid::octants_met(std::uint32_t* scratch) const {
+    for (int row = 0; row < grid_.rows(); ++row) scratch[row] = 0;
+    mark(scratch, scratch + 16);
+    return as_mask(scratch, grid_.levels);
 }
 
 } // namespace osem

@@ -14,21 +14,24 @@ struct SeenEdge;
 /// A face and a grid, which must both outlive it. Costs: O(corners of the face).
 class FaceInGrid {
   public:
+    static constexpr std::uint32_t scratch_words = 48;
+
     FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid);
 
-    /// The octants of a grid of up to 64 that it meets: as mark. `rows` is scratch for a word each.
-    std::uint64_t octants_met(std::uint32_t* rows) const;
+    /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + scratch_words words.
+    std::uint64_t octants_met(std::uint32_t* scratch) const;
 
     /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
     /// quadrangles: a few steps for each row of octants that it is seen to meet along x, and for each row of
     /// squares that it is seen to meet along y and z. For other faces: a classification of each octant in the
-    /// face's bounding box through which its plane passes.
-    void mark(std::uint32_t* rows) const;
+    /// face's bounding box through which its plane passes. Scratch: scratch_words words.
+    void mark(std::uint32_t* rows, std::uint32_t* scratch) const;
 
     /// Adds what it adds to the winding number on the way from the reference point of the grid's corner
     /// octant to every other one: along z first, then y, then x, as crossing of each step. Cost: a few steps
-    /// for each row that it crosses; for other faces than above also each edge for each row of rows.
-    void add_crossings(RowWindings& windings) const;
+    /// for each row that it crosses; for other faces than above also each edge for each row of rows. Scratch:
+    /// scratch_words.
+    void add_crossings(RowWindings& windings, std::uint32_t* scratch) const;
 
   private:
     class Slabs;
@@ -41,17 +44,19 @@ class FaceInGrid {
     bool is_within(int axis, const IndexRange& range) const;
     int axes_within(const IndexRange (&range)[3]) const;
     IndexRange between(int axis) const { return grid_.points_between(axis, low_.at[axis], high_.at[axis]); }
-    [[gnu::noinline]] void mark_convex(const Plane& plane, const IndexRange (&range)[3],
-                                       std::uint32_t* rows) const; // its tables are not there for others
+    void mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows,
+                     std::uint32_t* scratch) const;
     void mark_all(const IndexRange (&range)[3], std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const IndexRange (&range)[3], Slabs& slabs) const;
     void add_edge(int u, int v, const SeenEdge& edge, bool left, Slabs& slabs) const;
     void classify_octants(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows) const;
-    void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings) const;
-    void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v,
-                     Passages& passages) const;
-    void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages) const;
-    void add_ring(std::uint32_t r, int axis, int row, std::int32_t (&change)[33]) const;
+    void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
+              std::uint32_t* scratch) const;
+    void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
+                     std::uint32_t* scratch) const;
+    void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
+                  std::uint32_t* scratch) const;
+    void add_ring(std::uint32_t r, int axis, int row, std::int32_t* change) const;
 
     const Solid& solid_;
     const OctantGrid& grid_;

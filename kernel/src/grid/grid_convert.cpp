@@ -22,26 +22,28 @@ struct GridList {
     const std::uint32_t* end;
     std::uint32_t step; // words an entry
 
-    // Notes for every face which octants it meets; the union. Adds what is crossed. `rows` is scratch.
-    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* rows) const {
+    // Notes for every face which octants it meets; the union. Adds what is crossed. `space` is scratch of 64
+    // words.
+    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* space) const {
         std::uint64_t met = 0;
         for (std::uint32_t* entry = first; entry != end; entry += step) {
             const FaceInGrid face(solid, *entry, grid);
-            const std::uint64_t octants = face.octants_met(rows);
+            const std::uint64_t octants = face.octants_met(space);
             entry[1] = static_cast<std::uint32_t>(octants);
             entry[2] = static_cast<std::uint32_t>(octants >> 32);
             met |= octants;
-            face.add_crossings(windings);
+            face.add_crossings(windings, space);
         }
         return met;
     }
 
     // The same, the octants met in rows, if they are wanted.
-    void meet_leaves(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met) const {
+    void meet_leaves(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met,
+                     std::uint32_t* space) const {
         for (const std::uint32_t* entry = first; entry != end; entry += step) {
             const FaceInGrid face(solid, *entry, grid);
-            if (met != nullptr) face.mark(met);
-            face.add_crossings(windings);
+            if (met != nullptr) face.mark(met, space);
+            face.add_crossings(windings, space);
         }
     }
 };
@@ -81,7 +83,8 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
 
 bool GridConversion::step(std::uint32_t grids) {
     for (; grids > 0 && builder_.building(); --grids) {
-        started_ ? visit_next() : visit_root();
+        Entry entry = {};
+        if (started_ ? enter_next(entry) : enter_root(entry)) visit(entry);
         ++visited_;
     }
     return builder_.building();
@@ -105,24 +108,23 @@ std::uint64_t GridConversion::decided_volume() const {
     return decided;
 }
 
-void GridConversion::visit_root() {
+bool GridConversion::enter_root(Entry& entry) {
     started_ = true;
     Point start = octant_.corner; // where the way along x to the octant's reference point enters the root
     start.at[axis_x] = -1;
     for (int axis = 1; axis < 3; ++axis) start.at[axis] += offset();
-    std::int32_t winding = 0;
+    entry = Entry{octant_.corner, 0, solid_.face_count, 0};
     const std::uint32_t step = entry_words(is_last());
-    std::uint32_t* entry = scratch_;
-    for (std::uint32_t face = 0; face < solid_.face_count; ++face, entry += step) {
-        *entry = face;
-        winding += crossing(solid_, face, start, axis_x, octant_.corner.x() + offset() + 1);
+    std::uint32_t* word = scratch_;
+    for (std::uint32_t face = 0; face < solid_.face_count; ++face, word += step) {
+        *word = face;
+        entry.winding += crossing(solid_, face, start, axis_x, octant_.corner.x() + offset() + 1);
     }
-    reserve(0, step * solid_.face_count);
-    visit(octant_.corner, 0, solid_.face_count, winding);
+    return reserve(0, step * solid_.face_count); // as begin has seen
 }
 
-// Goes on to the next octant of the innermost grid that faces meet.
-void GridConversion::visit_next() {
+// Goes on to the next octant of the innermost grid that faces meet. False when there is no room for its list.
+bool GridConversion::enter_next(Entry& entry) {
     Frame& above = frames_[grids_ - 1];
     const unsigned m = lowest_of(above.left);
     above.left &= above.left - 1;
@@ -130,15 +132,15 @@ void GridConversion::visit_next() {
     builder_.open(m & 7U);
     const unsigned place = place_of(m);
     const std::uint32_t windings = above.first + entry_words(false) * above.faces;
-    const std::uint32_t first = windings + winding_words;
-    std::uint32_t faces = 0;
-    if (!select(above, place, first, faces)) return overflow();
-    Point corner = above.corner;
+    entry =
+        Entry{above.corner, windings + winding_words, 0, static_cast<std::int32_t>(scratch_[windings + m])};
     const int shift = lattice_bits - level_of(grids_ - 1);
     for (unsigned axis = 0; axis < 3; ++axis) {
-        corner.at[axis] += static_cast<std::int32_t>(place >> (2 * axis) & 3U) << shift;
+        entry.corner.at[axis] += static_cast<std::int32_t>(place >> (2 * axis) & 3U) << shift;
     }
-    visit(corner, first, faces, static_cast<std::int32_t>(scratch_[windings + m]));
+    if (select(above, place, entry)) return true;
+    overflow();
+    return false;
 }
 
 // Opens a child of the grid's octant, after the one before it is closed.
@@ -152,16 +154,16 @@ void GridConversion::open_child(Frame& frame, unsigned child) {
 }
 
 // Copies the faces that meet an octant to a list of its own. False when there is no room.
-bool GridConversion::select(const Frame& above, unsigned place, std::uint32_t first, std::uint32_t& faces) {
+bool GridConversion::select(const Frame& above, unsigned place, Entry& entry) {
     const unsigned half = 1 + (place >> 5);
     const unsigned bit = place & 31U;
     const std::uint32_t step = entry_words(is_last());
     const std::uint32_t* const end = scratch_ + above.first + std::size_t{entry_words(false)} * above.faces;
-    for (const std::uint32_t* entry = scratch_ + above.first; entry != end; entry += entry_words(false)) {
-        if ((entry[half] >> bit & 1U) == 0) continue;
-        const std::uint32_t word = first + step * faces++;
+    for (const std::uint32_t* face = scratch_ + above.first; face != end; face += entry_words(false)) {
+        if ((face[half] >> bit & 1U) == 0) continue;
+        const std::uint32_t word = entry.first + step * entry.faces++;
         if (!reserve(word, step)) return false;
-        scratch_[word] = *entry;
+        scratch_[word] = *face;
     }
     return true;
 }
@@ -178,19 +180,18 @@ void GridConversion::overflow() {
     builder_.abandon();
 }
 
-void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32_t faces,
-                           std::int32_t winding) {
-    if (is_last()) return visit_last(corner, first, faces, winding);
+void GridConversion::visit(const Entry& entry) {
+    if (is_last()) return visit_last(entry);
     const int level = level_of(grids_);
-    const OctantGrid grid = {corner, lattice_bits - level, offset(), is_of_eight(grids_) ? 1 : 2};
-    const std::uint32_t words = first + entry_words(false) * faces;
-    const GridList list = {solid_, scratch_ + first, scratch_ + words, entry_words(false)};
+    const OctantGrid grid = {entry.corner, lattice_bits - level, offset(), is_of_eight(grids_) ? 1 : 2};
+    const std::uint32_t words = entry.first + entry_words(false) * entry.faces;
+    const GridList list = {solid_, scratch_ + entry.first, scratch_ + words, entry_words(false)};
     if (!reserve(words, winding_words)) return overflow();
     const std::uint32_t behind = words + winding_words;
     RowWindings windings(scratch_ + behind, scratch_size_ - behind, grid.levels, options_.winding);
     if (windings.overflowed()) return overflow();
     const std::uint64_t met = list.meet(grid, windings, scratch_ + words); // where winding numbers are to be
-    windings.finish(winding);
+    windings.finish(entry.winding);
     if (windings.overflowed()) return overflow();
     reserve(behind, windings.words_used());
     std::uint32_t* const rows = scratch_ + words;
@@ -203,7 +204,7 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
         set_leaves(builder_, inside, inside, open);
     }
     if (open == 0) return close();
-    frames_[grids_++] = Frame{corner, first, faces, open, inside, no_child};
+    frames_[grids_++] = Frame{entry.corner, entry.first, entry.faces, open, inside, no_child};
     for (std::uint64_t left = open; left != 0; left &= left - 1) {
         const unsigned m = lowest_of(left);
         const unsigned place = place_of(m);
@@ -213,24 +214,23 @@ void GridConversion::visit(const Point& corner, std::uint32_t first, std::uint32
 }
 
 // A grid whose octants are leaves.
-void GridConversion::visit_last(const Point& corner, std::uint32_t first, std::uint32_t faces,
-                                std::int32_t winding) {
-    const OctantGrid grid = {corner, lattice_bits - options_.depth, offset(), last_levels_};
+void GridConversion::visit_last(const Entry& entry) {
+    const OctantGrid grid = {entry.corner, lattice_bits - options_.depth, offset(), last_levels_};
     const bool three_valued = options_.leaves == LeafRule::conservative;
     const auto rows = static_cast<std::uint32_t>(grid.rows());
-    const std::uint32_t list_end = first + faces;
-    const std::uint32_t behind = list_end + (three_valued ? rows : 0) + leaves_scratch(last_levels_);
+    const std::uint32_t list_end = entry.first + entry.faces;
+    const std::uint32_t behind = list_end + (three_valued ? rows : 0) + last_grid_space(last_levels_);
     if (!reserve(list_end, behind - list_end)) return overflow();
-    const GridList list = {solid_, scratch_ + first, scratch_ + list_end, entry_words(true)};
-    std::uint32_t* const met = three_valued ? scratch_ + list_end + leaves_scratch(last_levels_) : nullptr;
+    const GridList list = {solid_, scratch_ + entry.first, scratch_ + list_end, entry_words(true)};
+    std::uint32_t* const met = three_valued ? scratch_ + list_end + last_grid_space(last_levels_) : nullptr;
     if (three_valued) {
         for (std::uint32_t row = 0; row < rows; ++row) met[row] = 0;
     }
     std::uint32_t* const inside = scratch_ + behind;
     RowWindings windings(inside, scratch_size_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
-    list.meet_leaves(grid, windings, met);
-    windings.finish(winding);
+    list.meet_leaves(grid, windings, met, scratch_ + list_end);
+    windings.finish(entry.winding);
     if (windings.overflowed()) return overflow();
     reserve(behind, windings.words_used());
     windings.inside(inside);

@@ -12,17 +12,12 @@ namespace osem {
 /// children that hold an octant of `open`.
 void set_leaves(TreeBuilder& builder, std::uint64_t may, std::uint64_t must, std::uint64_t open = 0);
 
-/// Words of scratch for the leaves of a grid of so many levels.
-constexpr std::uint32_t leaves_scratch(int levels) {
-    return levels < 2 ? 0 : std::uint32_t{1} << (2 * (levels - 2));
-}
-
 /// The leaves of a grid, as sets in rows; see octant_grid.hpp.
 struct GridLeaves {
     int levels;
     const std::uint32_t* inside; ///< black, if not also met
     const std::uint32_t* met;    ///< boundary; or null: none
-    std::uint32_t* scratch;      ///< leaves_scratch(levels) words
+    std::uint32_t* scratch;      ///< a word for each 16 rows
 
     /// Sets what is below the open octant, which the grid makes up. Cost: O(rows), and for each part of
     /// 4 x 4 x 4 leaves that are not all alike as many steps as there are leaves.
