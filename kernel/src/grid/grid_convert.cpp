@@ -58,8 +58,9 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
                              std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids) {
     builder_.abandon();
     overflowed_ = false;
-    if (options.depth < 1 || options.depth > greatest_depth(options.leaves))
+    if (options.depth < 1 || options.depth > greatest_depth(options.leaves)) {
         return Status::depth_out_of_range;
+    }
     if (grids.last_levels < 1 || grids.last_levels > most_grid_levels) return Status::depth_out_of_range;
     if (!is_octant(grids.octant) || grids.octant.level >= options.depth) return Status::depth_out_of_range;
     const int levels = options.depth - grids.octant.level;

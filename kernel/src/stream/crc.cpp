@@ -39,7 +39,9 @@ std::uint32_t of_word(std::uint32_t word, unsigned behind) {
            table.entries[behind + 1][word >> 16 & 0xffU] ^ table.entries[behind][word >> 24];
 }
 
-std::uint32_t of_byte(std::uint32_t remainder) { return (remainder >> 8) ^ table.entries[0][remainder & 0xffU]; }
+std::uint32_t of_byte(std::uint32_t remainder) {
+    return (remainder >> 8) ^ table.entries[0][remainder & 0xffU];
+}
 
 #else
 
