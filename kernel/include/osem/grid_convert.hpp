@@ -25,11 +25,11 @@ constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
 constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 64; }
 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
-/// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes three words
-/// for each of its 4^last_levels rows, 48 (or 64, of 5 levels) beside them, and one more a row each time that
-/// winding numbers in it outgrow a power of two from 2 on. As a rule they do not, and a list is as long as
-/// what meets its octant: for 32 x 32 rows 4160 words, and about 3.5 a face, are mostly enough.
-/// Preconditions: depth is in [1, 20], last_levels in [1, 5].
+/// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes four words
+/// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 64, of 5 levels) beside them, and
+/// one more a row each time that winding numbers in it outgrow a power of two from 2 on. As a rule they do
+/// not, and a list is as long as what meets its octant: 4160 words for 32 x 32 rows, and about 3.5 a face,
+/// are mostly enough. Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
     const auto grids = static_cast<std::uint64_t>(nested_grids(upper_levels(depth, last)));
@@ -51,13 +51,13 @@ struct GridOptions {
 /// A conversion in progress: as Conversion, and with the same tree, node for node at the same places of the
 /// pool. It holds all of its state, so it may be a static object.
 ///
-/// An octant that faces meet is divided into 4 x 4 x 4 octants at once (the root into 2 x 2 x 2 if that comes
-/// out even), and at last into up to 32 x 32 x 32 leaves. Which octants a triangle or a convex quadrangle
-/// meets is found row by row: the bounding box, three projections to squares and the plane each leave a range
-/// of a row, and their ends go from row to row by additions. So do the places where rows of reference points
-/// cross a face; winding numbers are added up a row at once. Other faces are classified octant by octant.
-/// With centre leaves the reference points are the leaves' centres, so the last grid classifies nothing. See
-/// kernel/DESIGN.md.
+/// An octant that faces meet is divided into 4 x 4 x 4 octants at once (the root into 2 x 2 x 2 if the
+/// levels above the last grids are odd), and at last into up to 32 x 32 x 32 leaves. Which octants a triangle
+/// or a convex quadrangle meets is found row by row: the bounding box, three projections to squares and the
+/// plane each leave a range of a row, and their ends go from row to row by additions. So do the places where
+/// rows of reference points cross a face; winding numbers are added up a row at once. Other faces are
+/// classified octant by octant. With centre leaves the reference points are the leaves' centres, so the last
+/// grid classifies nothing. See kernel/DESIGN.md.
 class GridConversion {
   public:
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
