@@ -113,6 +113,84 @@ TEST(TreeBuilder, LaterLeavesReplaceEarlierOnes) {
     EXPECT_EQ(pool->used(), 0U);
 }
 
+// 64 cells of a grid as a builder takes them.
+struct Sets {
+    std::uint64_t may = 0;
+    std::uint64_t must = 0;
+
+    Sets(const DenseGrid& grid, std::size_t first) {
+        for (unsigned cell = 0; cell < 64; ++cell) {
+            const Colour colour = grid[first + cell];
+            may |= std::uint64_t{colour != Colour::white} << cell;
+            must |= std::uint64_t{colour == Colour::black} << cell;
+        }
+    }
+};
+
+void expect_tree_of(const DenseGrid& grid, const TreeOutcome& outcome) {
+    EXPECT_EQ(outcome.status, Status::ok);
+    EXPECT_EQ(outcome.nodes_needed, preorder_masks(grid).size() - 1);
+    EXPECT_EQ(expand(outcome.tree, outcome.tree.depth), grid);
+    EXPECT_EQ(digest(outcome.tree), expected_digest(grid));
+}
+
+TEST(TreeBuilder, SubtreesFromLeavesOfTwoLevels) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        const DenseGrid grid = random_grid(3, seed, three_colours);
+        HeapPool pool(600);
+        TreeBuilder builder;
+        builder.begin(&*pool);
+        for (unsigned child = 0; child < 8; ++child) {
+            const Sets sets(grid, 64 * child);
+            builder.subtree(child, sets.may, sets.must);
+        }
+        builder.close();
+        expect_tree_of(grid, builder.finish(3));
+    }
+}
+
+TEST(TreeBuilder, GrandchildrenAndThoseLeftOpen) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        const DenseGrid grid = random_grid(2, seed, three_colours);
+        const Sets sets(grid, 0);
+        HeapPool pool(100);
+        TreeBuilder builder;
+        builder.begin(&*pool);
+        const unsigned opened = seed % 9; // 8: none
+        builder.grandchildren(sets.may, sets.must,
+                              opened < 8 ? std::uint64_t{1} << (8 * opened + seed % 8) : 0);
+        if (opened < 8) {
+            builder.open(opened);
+            builder.leaves(static_cast<std::uint8_t>(sets.may >> (8 * opened)),
+                           static_cast<std::uint8_t>(sets.must >> (8 * opened)));
+            builder.close();
+        }
+        builder.close();
+        expect_tree_of(grid, builder.finish(2));
+    }
+}
+
+TEST(TreeBuilder, SubtreesAreCountedWhenThePoolRunsOut) {
+    const DenseGrid grid = random_grid(3, 5, three_colours);
+    const std::uint32_t needed = plant(grid, nullptr).nodes_needed;
+    for (std::uint32_t room = 0; room < needed; ++room) {
+        HeapPool pool(3 + room);
+        pool.fill_to(3);
+        const PoolImage before(pool);
+        TreeBuilder builder;
+        builder.begin(&*pool);
+        for (unsigned child = 0; child < 8; ++child) {
+            const Sets sets(grid, 64 * child);
+            builder.subtree(child, sets.may, sets.must);
+        }
+        builder.close();
+        const TreeOutcome outcome = builder.finish(3);
+        EXPECT_EQ(outcome.status, Status::pool_exhausted);
+        EXPECT_EQ(outcome.nodes_missing, needed - room);
+        EXPECT_TRUE(before.same_nodes(pool));
+    }
+}
+
 TEST(TreeBuilder, GraftsAreShared) {
     HeapPool pool(3000);
     const DenseGrid part = random_grid(3, 11, three_colours);

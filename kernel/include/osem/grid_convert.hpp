@@ -22,13 +22,13 @@ constexpr int upper_levels(int depth, int last_levels = most_grid_levels) {
 constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
 
 /// Words that a last grid takes beside its rows: for a face's tables, and then for parts of 4 x 4 x 4 leaves.
-constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 64; }
+constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 84; }
 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
 /// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes four words
-/// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 64, of 5 levels) beside them, and
+/// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and
 /// one more a row each time that winding numbers in it outgrow a power of two from 2 on. As a rule they do
-/// not, and a list is as long as what meets its octant: 4160 words for 32 x 32 rows, and about 3.5 a face,
+/// not, and a list is as long as what meets its octant: 4180 words for 32 x 32 rows, and about 3.5 a face,
 /// are mostly enough. Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;

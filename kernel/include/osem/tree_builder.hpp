@@ -40,6 +40,16 @@ class TreeBuilder {
     /// Sets all eight children of the open octant as leaves by two masks. Precondition: no child is grey.
     void leaves(std::uint8_t may, std::uint8_t must);
 
+    /// Sets all 64 octants two levels below the open one as leaves by two sets in Morton order (bit 8c + g is
+    /// child g of child c), eight equal ones as one leaf; but leaves out children that hold an octant of
+    /// `open`, which stay leaves, to be opened yet. Precondition: fewer than max_depth octants are open.
+    void grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t open = 0);
+
+    /// Makes child `child` of the open octant a subtree of 64 such leaves: as open(child),
+    /// grandchildren(may, must), close(), in one step. Precondition: fewer than max_depth - 1 octants are
+    /// open.
+    void subtree(unsigned child, std::uint64_t may, std::uint64_t must);
+
     /// Makes child `child` of the open octant an existing subtree of the same pool, shared. Preconditions:
     /// the node is not uniform, and no octant of the subtree comes to lie deeper than max_depth.
     void graft(unsigned child, const Node& node);
@@ -75,7 +85,8 @@ class TreeBuilder {
         std::uint8_t child; ///< which child of the level above this is
     };
     bool equals_group(const Level& level, std::uint8_t grey, const Node* like) const;
-    NodeIndex write_group(Level& level, std::uint8_t grey);
+    NodeIndex write_group(const Node* nodes, std::uint32_t count);
+    void set_child(unsigned child, const Node& node);
 
     NodePool* pool_ = nullptr;
     std::uint32_t mark_ = 0;

@@ -19,7 +19,8 @@ class CountBelow {
     /// Precondition: 0 <= guess <= size, step >= 0. The guess only says where to begin.
     CountBelow(Value first, Value step, int size, int guess)
         : value_(first + guess * step), step_(step), size_(size), count_(guess) {
-        settle();
+        rise();
+        fall();
     }
 
     int count() const { return count_; }
@@ -28,12 +29,14 @@ class CountBelow {
     /// Adds to all values.
     void raise(Value by) {
         value_ += by;
-        settle();
+        by < 0 ? rise() : fall();
     }
 
   private:
-    void settle() {
+    void rise() {
         for (; value_ < 0 && count_ < size_; ++count_) value_ += step_;
+    }
+    void fall() {
         for (; value_ >= step_ && count_ > 0; --count_) value_ -= step_;
     }
 

@@ -207,9 +207,12 @@ class PassedOctants {
 } // namespace
 
 void FaceInGrid::mark(std::uint32_t* rows, std::uint32_t* scratch) const {
-    const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
+    mark_in({overlapped(0), overlapped(1), overlapped(2)}, rows, scratch);
+}
+
+void FaceInGrid::mark_in(const IndexRange (&range)[3], std::uint32_t* rows, std::uint32_t* scratch) const {
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
-    if (end_ - corners_ == 3 && axes_within(range) > 1) return mark_all(range, rows);
+    if (meets_all_of(range)) return mark_all(range, rows);
     const Plane plane(solid_, corners_, end_);
     if (is_convex(plane)) {
         mark_convex(plane, range, rows, scratch);
@@ -280,9 +283,13 @@ void FaceInGrid::classify_octants(const Plane& plane, const IndexRange (&range)[
 }
 
 std::uint64_t FaceInGrid::octants_met(std::uint32_t* scratch) const {
+    const IndexRange range[3] = {overlapped(0), overlapped(1), overlapped(2)};
+    if (is_one(range) && meets_all_of(range)) { // as most faces do
+        return std::uint64_t{1} << (range[0].first + 4 * range[1].first + 16 * range[2].first);
+    }
     for (int row = 0; row < grid_.rows(); ++row) scratch[row] = 0;
-    mark(scratch, scratch + 16);
-    return as_mask(scratch, grid_.levels);
+    mark_in(range, scratch, scratch + 16);
+    return as_mask(scratch, 0, grid_.levels);
 }
 
 } // namespace osem

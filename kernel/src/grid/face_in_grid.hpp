@@ -43,7 +43,11 @@ class FaceInGrid {
     }
     bool is_within(int axis, const IndexRange& range) const;
     int axes_within(const IndexRange (&range)[3]) const;
+    bool meets_all_of(const IndexRange (&range)[3]) const {
+        return end_ - corners_ == 3 && axes_within(range) > 1;
+    }
     IndexRange between(int axis) const { return grid_.points_between(axis, low_.at[axis], high_.at[axis]); }
+    void mark_in(const IndexRange (&range)[3], std::uint32_t* rows, std::uint32_t* scratch) const;
     void mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows,
                      std::uint32_t* scratch) const;
     void mark_all(const IndexRange (&range)[3], std::uint32_t* rows) const;

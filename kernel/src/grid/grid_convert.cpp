@@ -198,11 +198,11 @@ void GridConversion::visit(const Entry& entry) {
     std::uint32_t* const rows = scratch_ + words;
     windings.inside(rows);
     const std::uint64_t open = in_morton_order(met);
-    const std::uint64_t inside = in_morton_order(as_mask(rows, grid.levels) & ~met);
+    const std::uint64_t inside = in_morton_order(as_mask(rows, 0, grid.levels) & ~met);
     if (is_of_eight(grids_)) {
         builder_.leaves(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(inside));
     } else {
-        set_leaves(builder_, inside, inside, open);
+        builder_.grandchildren(inside, inside, open);
     }
     if (open == 0) return close();
     frames_[grids_++] = Frame{entry.corner, entry.first, entry.faces, open, inside, no_child};

@@ -4,20 +4,17 @@
 
 #include <cstdint>
 
+#include "osem/grid_convert.hpp"
 #include "osem/tree_builder.hpp"
 
 namespace osem {
-
-/// Sets the children of the open octant from 64 leaves two levels below it, in Morton order; but not those
-/// children that hold an octant of `open`.
-void set_leaves(TreeBuilder& builder, std::uint64_t may, std::uint64_t must, std::uint64_t open = 0);
 
 /// The leaves of a grid, as sets in rows; see octant_grid.hpp.
 struct GridLeaves {
     int levels;
     const std::uint32_t* inside; ///< black, if not also met
     const std::uint32_t* met;    ///< boundary; or null: none
-    std::uint32_t* scratch;      ///< a word for each 16 rows
+    std::uint32_t* scratch;      ///< a word for each 16 rows, for each 64 of them, and so on down to 4 words
 
     /// Sets what is below the open octant, which the grid makes up. Cost: O(rows), and for each part of
     /// 4 x 4 x 4 leaves that are not all alike as many steps as there are leaves.
@@ -31,8 +28,14 @@ struct GridLeaves {
         return met == nullptr ? inside[row] : inside[row] & ~met[row];
     }
     void sum_up() const;
-    std::uint32_t common_state(unsigned part, int height) const;
-    void set_part(unsigned part, TreeBuilder& builder) const;
+    std::uint32_t states_of_parts(std::uint32_t first_row) const;
+    std::uint8_t set_uniform(unsigned octant, int height, TreeBuilder& builder) const;
+    struct Leaves {
+        std::uint64_t may;
+        std::uint64_t must;
+    };
+    Leaves leaves_of(unsigned part) const;
+    void set_small(TreeBuilder& builder) const;
 };
 
 } // namespace osem

@@ -5,6 +5,7 @@
 #ifndef OSEM_GRID_OCTANT_GRID_HPP
 #define OSEM_GRID_OCTANT_GRID_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "osem/lattice.hpp"
@@ -61,17 +62,26 @@ struct OctantGrid {
     }
 };
 
+/// Whether three ranges have one octant in common.
+constexpr bool is_one(const IndexRange (&range)[3]) {
+    return range[0].first == range[0].last && range[1].first == range[1].last &&
+           range[2].first == range[2].last;
+}
+
 constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
     return {a.first > b.first ? a.first : b.first, a.last < b.last ? a.last : b.last};
 }
 
-/// The rows of a grid of up to 64 octants as one mask.
-inline std::uint64_t as_mask(const std::uint32_t* rows, int levels) {
-    const int side = 1 << levels;
+/// A part of 4 x 4 x 4 octants of a grid, or all of a smaller one, as one mask: the row is that of its first
+/// octant, which is octant x of it.
+inline std::uint64_t as_mask(const std::uint32_t* row, unsigned x, int levels) {
+    const unsigned side = levels < 2 ? 2 : 4;
     const std::uint32_t of_row = (1U << side) - 1;
     std::uint64_t set = 0;
-    for (int k = 0; k < side; ++k) {
-        for (int j = 0; j < side; ++j) set |= std::uint64_t{*rows++ & of_row} << (4 * j + 16 * k);
+    for (unsigned k = 0; k < side; ++k, row += std::size_t{1} << levels) {
+        std::uint32_t layer = 0;
+        for (unsigned j = 0; j < side; ++j) layer |= (row[j] >> x & of_row) << (4 * j);
+        set |= std::uint64_t{layer} << (16 * k);
     }
     return set;
 }
@@ -87,17 +97,19 @@ constexpr unsigned lowest_of(std::uint64_t set) {
     return place + ((set & 1U) == 0 ? 1 : 0);
 }
 
+/// Exchanges two bits of the numbers of a set's members: those with the low one alone, which are named, move
+/// up by the difference of what the bits stand for, those with the high one alone move down.
+constexpr std::uint64_t with_bits_exchanged(std::uint64_t set, std::uint64_t low_alone, unsigned difference) {
+    const std::uint64_t changes = (set ^ set >> difference) & low_alone;
+    return set ^ changes ^ changes << difference;
+}
+
 /// A set in Morton order: bit 8c + g is child g of child c of the octant that the grid makes up. In a grid of
-/// eight octants child g is bit g.
+/// eight octants child g is bit g. Numbers are (k1 k0 j1 j0 i1 i0) and become (k1 j1 i1 k0 j0 i0).
 constexpr std::uint64_t in_morton_order(std::uint64_t set) {
-    std::uint64_t ordered = 0;
-    for (unsigned child = 0; child < 8; ++child) {
-        const std::uint64_t part = set >> ((child & 1U) * 2 + (child & 2U) * 4 + (child & 4U) * 8);
-        const std::uint64_t children =
-            (part & 0x3U) | (part >> 2 & 0xcU) | (part >> 12 & 0x30U) | (part >> 14 & 0xc0U);
-        ordered |= children << (8 * child);
-    }
-    return ordered;
+    set = with_bits_exchanged(set, 0x0c0c0c0c0c0c0c0c, 2);
+    set = with_bits_exchanged(set, 0x0000ff000000ff00, 8);
+    return with_bits_exchanged(set, 0x00f000f000f000f0, 4);
 }
 
 /// The place in a mask of the octant that is bit `m` in Morton order.

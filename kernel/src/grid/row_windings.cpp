@@ -24,23 +24,52 @@ void RowWindings::add_many(std::uint32_t row, std::uint32_t set, std::int32_t nu
 }
 
 void RowWindings::finish(std::int32_t winding) {
-    const std::uint32_t rows = rows_;
-    const std::uint32_t side_mask = (std::uint32_t{1} << levels_) - 1;
-    if (level_) {
-        for (std::uint32_t row = 0; row < rows && winding != 0; ++row) add(row, 0, winding);
-        return;
-    }
-    std::int32_t number = winding;
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        const auto change = static_cast<std::int32_t>(first_[row]);
-        if ((row & side_mask) == 0) {
-            winding += change;
-            number = winding;
-        } else {
-            number += change;
-        }
+    if (level_ && winding == 0) return;
+    sum_firsts(winding);
+    if (raise_rows()) return;
+    for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) {
+        const auto number = static_cast<std::int32_t>(first_[row]);
         if (number != 0) add(row, 0, number);
     }
+}
+
+// The rows' first numbers from their differences.
+void RowWindings::sum_firsts(std::int32_t winding) {
+    const std::uint32_t side_mask = (std::uint32_t{1} << levels_) - 1;
+    auto first = static_cast<std::uint32_t>(winding);
+    std::uint32_t number = first;
+    for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) {
+        number += first_[row];
+        if ((row & side_mask) == 0) {
+            first += first_[row];
+            number = first;
+        }
+        first_[row] = number;
+    }
+}
+
+// Raises all rows by their first numbers at once, if there are two planes and they are enough: -2 to 1 has
+// its lowest bit and its sign, which each stand for a whole word.
+bool RowWindings::raise_rows() {
+    if (planes_ != 2) return false;
+    const std::uint32_t rows = rows_;
+    const std::uint32_t* const first = first_;
+    std::uint32_t* const low = plane(0);
+    std::uint32_t* const sign = plane(1);
+    std::uint32_t outgrown = 0;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        const std::uint32_t number_sign = 0 - (first[row] >> 31);
+        const std::uint32_t carry = low[row] & (0 - (first[row] & 1U));
+        const std::uint32_t sum = sign[row] ^ number_sign ^ carry;
+        outgrown |= ((first[row] + 2) >> 2) | (~(sign[row] ^ number_sign) & (sign[row] ^ sum));
+    }
+    if (outgrown != 0) return false;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        const std::uint32_t number_low = 0 - (first[row] & 1U);
+        sign[row] ^= (0 - (first[row] >> 31)) ^ (low[row] & number_low);
+        low[row] ^= number_low;
+    }
+    return true;
 }
 
 void RowWindings::inside(std::uint32_t* rows) const {

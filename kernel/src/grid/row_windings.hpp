@@ -43,11 +43,17 @@ class RowWindings {
     /// Adds a number to those of a row from octant `first` on.
     void add(std::uint32_t row, int first, std::int32_t number) {
         const std::uint32_t set = ~std::uint32_t{0} << first;
-        if (number == 1 || number == -1) {
-            add_power(row, set, 0, number > 0);
-        } else {
-            add_many(row, set, number);
-        }
+        if (number != 1 && number != -1) return add_many(row, set, number);
+        if (planes_ != 2) return add_power(row, set, 0, number > 0);
+        // The same for the two planes that are there as a rule, without a loop.
+        std::uint32_t* const low = plane(0) + row;
+        std::uint32_t* const sign = low + rows_;
+        const std::uint32_t down = number > 0 ? 0 : ~std::uint32_t{0};
+        const std::uint32_t carry = set & (*low ^ down);
+        const std::uint32_t outgrown = carry & ~(*sign ^ down);
+        *low ^= set;
+        *sign ^= carry;
+        if (outgrown != 0) widen(row, outgrown);
     }
 
     /// All is added; the number of the grid's first point is this.
@@ -64,6 +70,8 @@ class RowWindings {
     void add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up);
     void add_many(std::uint32_t row, std::uint32_t set, std::int32_t number);
     void widen(std::uint32_t row, std::uint32_t outgrown);
+    void sum_firsts(std::int32_t winding);
+    bool raise_rows();
 
     std::uint32_t* first_;
     std::uint32_t room_;

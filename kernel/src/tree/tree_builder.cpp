@@ -9,6 +9,38 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
+std::uint8_t children_of(std::uint64_t set, unsigned child) {
+    return static_cast<std::uint8_t>(set >> (8 * child));
+}
+
+// The bytes of a set as members of a mask, by their lowest bits.
+constexpr std::uint8_t lowest_of_bytes(std::uint64_t set) {
+    set &= 0x0101010101010101;
+    set |= set >> 7;
+    set |= set >> 14;
+    return static_cast<std::uint8_t>((set | set >> 28) & 255U);
+}
+
+// The bytes whose bits are all alike.
+constexpr std::uint8_t alike(std::uint64_t set) {
+    std::uint64_t any = set | set >> 4;
+    any |= any >> 2;
+    any |= any >> 1;
+    std::uint64_t all = set & set >> 4;
+    all &= all >> 2;
+    all &= all >> 1;
+    return lowest_of_bytes(~(any ^ all));
+}
+
+// The children, of eight leaves each, whose leaves are all alike: one leaf each.
+constexpr std::uint8_t uniform_children(std::uint64_t may, std::uint64_t must) {
+    return alike(may) & alike(must);
+}
+
+Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
+    return Node::of(children_of(may, child), children_of(must, child), 0);
+}
+
 } // namespace
 
 void TreeBuilder::begin(NodePool* pool, bool count_only) {
@@ -60,19 +92,38 @@ bool TreeBuilder::equals_group(const Level& level, std::uint8_t grey, const Node
     return true;
 }
 
-NodeIndex TreeBuilder::write_group(Level& level, std::uint8_t grey) {
-    std::uint32_t count = 0;
-    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
-        level.pending[count++] = level.pending[lowest(left)];
-    }
+NodeIndex TreeBuilder::write_group(const Node* nodes, std::uint32_t count) {
     needed_ = needed_ > UINT32_MAX - count ? UINT32_MAX : needed_ + count;
     NodeIndex first = counted_only;
-    if (writing_ && pool_->append(level.pending, count, first) != Status::ok) {
+    if (writing_ && pool_->append(nodes, count, first) != Status::ok) {
         pool_->roll_back(mark_);
         writing_ = false;
         exhausted_ = true;
     }
     return first;
+}
+
+void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t open) {
+    const std::uint8_t uniform = uniform_children(may, must);
+    leaves(lowest_of_bytes(may) & uniform, lowest_of_bytes(must) & uniform);
+    for (auto left = static_cast<std::uint8_t>(~uniform); left != 0; left = without_lowest(left)) {
+        const unsigned child = lowest(left);
+        if (children_of(open, child) == 0) graft(child, node_of_eight(may, must, child));
+    }
+}
+
+void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must) {
+    OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8);
+    const std::uint8_t uniform = uniform_children(may, must);
+    const auto grey = static_cast<std::uint8_t>(~uniform);
+    Node group[8];
+    std::uint32_t count = 0;
+    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+        group[count++] = node_of_eight(may, must, lowest(left));
+    }
+    const NodeIndex first = count == 0 ? 0 : write_group(group, count);
+    set_child(child,
+              Node::of(lowest_of_bytes(may) & uniform, (lowest_of_bytes(must) & uniform) | grey, first));
 }
 
 void TreeBuilder::close(const Node* like, const Node* or_like) {
@@ -85,7 +136,11 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
         } else if (equals_group(level, grey, or_like)) {
             first = or_like->first();
         } else {
-            first = write_group(level, grey);
+            std::uint32_t count = 0;
+            for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+                level.pending[count++] = level.pending[lowest(left)];
+            }
+            first = write_group(level.pending, count);
         }
     }
     const Node node = Node::of(level.may, level.must, first);
@@ -96,10 +151,14 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
         return;
     }
     --level_;
+    set_child(level.child, node);
+}
+
+void TreeBuilder::set_child(unsigned child, const Node& node) {
     if (node.is_uniform()) {
-        leaf(level.child, node.colour(0));
+        leaf(child, node.colour(0));
     } else {
-        graft(level.child, node);
+        graft(child, node);
     }
 }
 
