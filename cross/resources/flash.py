@@ -10,6 +10,8 @@ FEATURES = ("query", "booleans", "conversion", "check")
 # Each program has its own functions only.
 ALONE = ("stream_query", "stream_boolean", "ray", "nearest", "collide", "measures", "components", "grid", "bintree",
          "fit", "csg", "transform", "slice", "boundary")
+# "grid" once more, of a kernel with OSEM_FAST_GRIDS.
+FAST_GRIDS = "grid_fast"
 WHOLE = "all"  # every function of the kernel
 
 # Bytes of the kernel's own flash that a program may take on any processor, or on the one named.
@@ -56,16 +58,36 @@ def link_whole_kernel(build):
     return link(build, WHOLE, build.objects, ["-Wl,--no-gc-sections", "-Wl,--entry=0"])
 
 
+def alone(build, feature):
+    """An image of one feature's functions."""
+    program = compile_source(build, RESOURCES / "features" / f"{feature}.cpp",
+                             build.directory / "features" / f"{feature}.o")
+    return link(build, feature, [*build.objects, program], root_options([feature]))
+
+
 def figures(build, whole_image):
     """Names and bytes, as 'flash/FEATURE/PROCESSOR/WIDTH' and 'helpers/...'."""
-    images = {}
-    for feature in (*FEATURES, *ALONE):
-        names = FEATURES[: FEATURES.index(feature) + 1] if feature in FEATURES else (feature,)
+    return named_figures(build, images_of(build, whole_image))
+
+
+def fast_figures(build):
+    """The same of the conversion by grids, of a kernel with OSEM_FAST_GRIDS."""
+    return named_figures(build, {FAST_GRIDS: alone(build, "grid")})
+
+
+def images_of(build, whole_image):
+    images = {feature: alone(build, feature) for feature in ALONE}
+    for feature in FEATURES:
+        names = FEATURES[: FEATURES.index(feature) + 1]
         programs = [compile_source(build, RESOURCES / "features" / f"{name}.cpp",
                                    build.directory / "features" / f"{name}.o") for name in names]
         # The kernel comes first: an inline function that both hold is then the kernel's.
         images[feature] = link(build, feature, [*build.objects, *programs], root_options(names))
     images[WHOLE] = whole_image
+    return images
+
+
+def named_figures(build, images):
     found = {}
     for feature, image in images.items():
         where = f"{feature}/{build.processor.name}/{build.index_bits}"

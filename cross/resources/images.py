@@ -11,14 +11,23 @@ COUNT = re.compile(r"^count (\S+) (\d+)$", re.MULTILINE)
 TIMEOUT = 600  # seconds; a run takes a few
 
 
-def build_images(processor, directory):
+def build(processor, directory, targets, *options):
     """Builds as the kernel is built for the bounds: MinSizeRel is -Os."""
-    directory = directory / f"images-{processor.name}"
     run(["cmake", "-S", REPOSITORY, "-B", directory, "-DCMAKE_BUILD_TYPE=MinSizeRel",
          f"-DCMAKE_TOOLCHAIN_FILE={REPOSITORY}/cross/toolchains/{processor.cpu}.cmake",
-         "-DOSEM_BUILD_CROSS=ON", "-DOSEM_BUILD_TOOL=OFF", "-DOSEM_BUILD_TESTS=OFF"])
-    run(["cmake", "--build", directory, f"-j{os.cpu_count()}", "--target", "osem_stack_paint", "osem_jobs"])
+         "-DOSEM_BUILD_CROSS=ON", "-DOSEM_BUILD_TOOL=OFF", "-DOSEM_BUILD_TESTS=OFF", *options])
+    run(["cmake", "--build", directory, f"-j{os.cpu_count()}", "--target", *targets])
     return directory / "cross" / "resources"
+
+
+def build_images(processor, directory):
+    return build(processor, directory / f"images-{processor.name}", ("osem_stack_paint", "osem_jobs"))
+
+
+def build_fast_grids(processor, directory):
+    """The jobs once more, with the conversion by grids compiled for speed."""
+    return build(processor, directory / f"images-{processor.name}-fast-grids", ("osem_jobs",),
+                 "-DOSEM_FAST_GRIDS=ON")
 
 
 def run_image(processor, image):

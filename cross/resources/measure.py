@@ -17,7 +17,7 @@ import images
 import ram
 import stack_bound
 import tables
-from kernel_build import build_kernel
+from kernel_build import build_kernel, with_fast_grids
 from processors import CONFIGURATIONS, INDEX_BITS, PROCESSORS, REPOSITORY, Failure
 
 
@@ -36,10 +36,14 @@ def measure_code(directory):
         whole_image = flash.link_whole_kernel(build)
         figures.update(flash.figures(build, whole_image))
         add_same(figures, ram.sizes(build))
+        fast_grids = with_fast_grids(build)
+        figures.update(flash.fast_figures(fast_grids))
         found, more = stack_bound.bounds(build, whole_image)
         if bits == INDEX_BITS[0]:
             bounds[processor] = found
             on_top[processor] = more
+            fast, _ = stack_bound.bounds(fast_grids, flash.link_whole_kernel(fast_grids))
+            figures[f"fast_grids_stack/greatest/{processor.name}"] = max(fast.values())
     return figures, bounds, on_top
 
 
@@ -52,7 +56,10 @@ def measure_runs(directory, bounds, on_top):
         for name, bound in bounds[processor].items():
             figures[f"stack/{name}/{processor.name}"] = bound
             figures[f"painted/{name}/{processor.name}"] = measured[name]
-        for name, count in images.counts(processor, programs).items():
+        counts = images.counts(processor, programs)
+        fast_grids = images.counts(processor, images.build_fast_grids(processor, directory))
+        counts["convert_grid_fast"] = fast_grids["convert_grid"]
+        for name, count in counts.items():
             figures[f"count/{name}/{processor.name}"] = count
     return figures
 

@@ -1,6 +1,6 @@
 """The figures as Markdown."""
 
-from flash import ALONE, FEATURES, TARGETS, WHOLE
+from flash import ALONE, FAST_GRIDS, FEATURES, TARGETS, WHOLE
 from processors import INDEX_BITS, PROCESSORS
 from stack_bound import CALLS_BACK, TARGET
 
@@ -17,6 +17,7 @@ FEATURE_TEXTS = {
     "nearest": "face neighbours and the nearest leaf",
     "collide": "collision of two trees",
     "grid": "conversion by grids",
+    FAST_GRIDS: "the same with `OSEM_FAST_GRIDS`",
     "bintree": "conversion by a bintree",
     "fit": "the finest conversion that fits, and pruning",
     "csg": "expressions over solids, trees and streams",
@@ -29,6 +30,7 @@ JOB_TEXTS = {
     "check": "check a sphere of 768 triangles",
     "convert": "convert it at 64 x 64 x 64",
     "convert_grid": "convert it by grids",
+    "convert_grid_fast": "the same with `OSEM_FAST_GRIDS`",
     "convert_bintree": "convert it by the bintree technique",
     "union": "union of two such trees",
     "point_queries": "1,000 point queries",
@@ -78,7 +80,8 @@ def flash_table(figures):
     heads += [f"{processor.name}, {bits}-bit" for processor in PROCESSORS for bits in INDEX_BITS]
     heads += [f"helpers, {processor.name}" for processor in PROCESSORS] + ["target"]
     rows = []
-    for feature in (*FEATURES, *ALONE, WHOLE):
+    after_grid = ALONE.index("grid") + 1
+    for feature in (*FEATURES, *ALONE[:after_grid], FAST_GRIDS, *ALONE[after_grid:], WHOLE):
         cells = [FEATURE_TEXTS[feature]]
         cells += [figures[f"flash/{feature}/{processor.name}/{bits}"]
                   for processor in PROCESSORS for bits in INDEX_BITS]
@@ -144,13 +147,18 @@ def greatest_stack(figures):
     return f"The greatest is that of `{name}` with {bound}, {verdict}"
 
 
+def greatest_fast_stack(figures):
+    return max(value for name, value in figures.items() if name.startswith("fast_grids_stack/"))
+
+
 FLASH_TEXT = """\
 Flash, in bytes of code and constants at `-Os`; a row that begins with "and" includes those above it, another one
 stands for a program of nothing else. Helpers are what comes beside it from the compiler's library and newlib's
 small C library: 64-bit arithmetic, `memcpy`, `memset`."""
 STACK_TEXT = """\
 Worst-case stack, in bytes, a function's own saved registers included. The bound is the longest path in the call
-graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest}."""
+graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest}; with
+`OSEM_FAST_GRIDS` the greatest bound is {fast}."""
 COUNT_TEXT = """\
 Instructions, counted by QEMU in steps of 40, with 32-bit indices. (The M0's code runs on the model of a
 Cortex-M3, whose memory is large enough.)"""
@@ -160,7 +168,7 @@ IMAGE_TEXT = "The example firmware, whole images in bytes (Cortex-M0, 16-bit ind
 
 def document(figures):
     parts = [FLASH_TEXT, flash_table(figures),
-             STACK_TEXT.format(greatest=greatest_stack(figures)), stack_table(figures),
+             STACK_TEXT.format(greatest=greatest_stack(figures), fast=greatest_fast_stack(figures)), stack_table(figures),
              COUNT_TEXT, count_table(figures),
              RAM_TEXT, ram_table(figures)]
     if names(figures, "image"):

@@ -19,11 +19,14 @@ void measure_pool() {
 void measure_builder() {
     measured("TreeBuilder::begin", [&] { builder.begin(&pool); });
     measured("TreeBuilder::open", [&] { builder.open(1); });
+    measured("TreeBuilder::grandchildren",
+             [&] { builder.grandchildren(0x0f00000000000000, 0x0100000000000000); });
     measured("TreeBuilder::leaves", [&] { builder.leaves(0x55, 0x05); });
     measured("TreeBuilder::leaf", [&] { builder.leaf(6, Colour::black); });
     builder.open(3);
     builder.leaf(2, Colour::black);
     builder.close();
+    measured("TreeBuilder::subtree", [&] { builder.subtree(4, 0x00ff0f0000000000, 0x00ff010000000000); });
     measured("TreeBuilder::graft", [&] { builder.graft(5, Node::of(0x0f, 0x01, 0)); });
     const Node unlike = Node::of(0x00, 0x28, 0);
     measured("TreeBuilder::close", [&] {

@@ -33,10 +33,10 @@ class CountBelow {
     }
 
   private:
-    void rise() {
+    [[gnu::always_inline]] void rise() {
         for (; value_ < 0 && count_ < size_; ++count_) value_ += step_;
     }
-    void fall() {
+    [[gnu::always_inline]] void fall() {
         for (; value_ >= step_ && count_ > 0; --count_) value_ -= step_;
     }
 

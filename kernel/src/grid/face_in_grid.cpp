@@ -52,7 +52,7 @@ bool FaceInGrid::is_within(int axis, const IndexRange& range) const {
 class FaceInGrid::Slabs {
   public:
     // Memory: 64 bytes.
-    Slabs(const OctantGrid& grid, std::int8_t* bytes) : grid_(grid), first_(bytes), last_(bytes + 32) {}
+    explicit Slabs(std::int8_t* bytes) : first_(bytes), last_(bytes + 32) {}
 
     void fill(const IndexRange& slabs, const IndexRange& range) {
         for (int slab = slabs.first; slab <= slabs.last; ++slab) {
@@ -60,27 +60,14 @@ class FaceInGrid::Slabs {
             last_[slab] = static_cast<std::int8_t>(range.last);
         }
     }
-    // What the open slab holds reaches to a line along v, the `from`th if it is exactly there, otherwise
-    // before it; to it from the right, or from the left.
-    void reach_left(int slab, int from, bool exactly) {
-        const int square = exactly ? from : from - 1;
-        if (square < first_[slab]) first_[slab] = static_cast<std::int8_t>(square);
-    }
-    void reach_right(int slab, int from) {
-        if (from - 1 > last_[slab]) last_[slab] = static_cast<std::int8_t>(from - 1);
-    }
-    void reach_vertex(int slab, std::int32_t distance, bool left) {
-        const int from = clipped((distance + grid_.length() - 1) >> grid_.shift, 0, grid_.side() + 1);
-        if (left) {
-            reach_left(slab, from, (distance & (grid_.length() - 1)) == 0);
-        } else {
-            reach_right(slab, from);
-        }
+    // What the open slab holds reaches into a square from the right, or from the left.
+    void reach(int slab, int square, bool left) {
+        std::int8_t& end = left ? first_[slab] : last_[slab];
+        if (left ? square < end : square > end) end = static_cast<std::int8_t>(square);
     }
     IndexRange at(int slab) const { return {first_[slab], last_[slab]}; }
 
   private:
-    const OctantGrid& grid_;
     std::int8_t* first_;
     std::int8_t* last_;
 };
@@ -105,32 +92,37 @@ void FaceInGrid::see(int u, int v, const Plane& plane, const IndexRange (&range)
 }
 
 // In each slab a left edge reaches least where the slab's lower line cuts it, or its upper line, as the edge
-// leans; or at its end.
+// leans; or at its end. What is on a line from the left does not reach into the square behind it.
 void FaceInGrid::add_edge(int u, int v, const SeenEdge& edge, bool left, Slabs& slabs) const {
+    const int side = grid_.side();
     const std::int32_t first_u = grid_.corner.at[u];
     const std::int32_t first_v = grid_.corner.at[v];
     const std::int32_t low = (edge.v - first_v) >> grid_.shift; // the slabs of its ends
     const std::int32_t high = (edge.end_v - 1 - first_v) >> grid_.shift;
-    int slab = clipped(low, 0, grid_.side());
-    int last = clipped(high, -1, grid_.side() - 1);
+    int slab = clipped(low, 0, side);
+    int last = clipped(high, -1, side - 1);
     if (slab > last) return;
+    const int line_of_square = left ? 0 : 1;
+    const int low_square = clipped((edge.u - first_u - line_of_square) >> grid_.shift, -1, side);
+    const int high_square = clipped((edge.end_u - first_u - line_of_square) >> grid_.shift, -1, side);
+    if (low_square == high_square) { // it is in no other
+        for (; slab <= last; ++slab) slabs.reach(slab, low_square, left);
+        return;
+    }
+    const int guess = low == slab ? low_square : (low_square + high_square) / 2;
     const bool at_lower = left == (edge.run() >= 0);
-    if (at_lower && low == slab) slabs.reach_vertex(slab++, edge.u - first_u, left);
-    if (!at_lower && high == last) slabs.reach_vertex(last--, edge.end_u - first_u, left);
+    if (at_lower && low == slab) slabs.reach(slab++, low_square, left);
+    if (!at_lower && high == last) slabs.reach(last--, high_square, left);
     if (slab > last) return;
     const std::int64_t value = edge.at(first_u, first_v);
-    const bool may_meet = (value & (grid_.length() - 1)) == 0; // the rest that the values below leave out
+    // Whether a left edge may cut the slabs' lines where squares begin: the rest that the values leave out.
+    const bool may_meet = left && (value & (grid_.length() - 1)) == 0;
     const int line = at_lower ? slab : slab + 1;
-    const std::int32_t guess = low == slab ? edge.u : edge.u / 2 + edge.end_u / 2;
-    CountBelow<std::int32_t> passed(scaled(value, grid_.shift) - line * edge.run(), edge.rise(),
-                                    grid_.side() + 1,
-                                    clipped((guess - first_u) >> grid_.shift, 0, grid_.side() + 1));
+    CountBelow<std::int32_t> passed(scaled(value, grid_.shift) - line * edge.run(), edge.rise(), side + 1,
+                                    guess + 1);
     for (;; passed.raise(-edge.run())) {
-        if (left) {
-            slabs.reach_left(slab, passed.count(), may_meet && passed.next_value() == 0);
-        } else {
-            slabs.reach_right(slab, passed.count());
-        }
+        const bool meets = may_meet && passed.next_value() == 0;
+        slabs.reach(slab, meets ? passed.count() : passed.count() - 1, left);
         if (slab++ == last) return;
     }
 }
@@ -146,7 +138,7 @@ class PassedOctants {
     using Count = CountBelow<std::int64_t>;
 
     PassedOctants(const Plane& plane, const OctantGrid& grid, const IndexRange (&range)[3])
-        : PassedOctants(plane, grid, plane.normal(0).value() < 0 ? -1 : 1, range) {}
+        : PassedOctants(plane, grid, range, plane.normal(0).value() < 0 ? -1 : 1) {}
 
     void move_to(int j, int k) {
         const std::int64_t change = (j - j_) * step_y_ + (k - k_) * step_z_;
@@ -160,33 +152,23 @@ class PassedOctants {
     std::int64_t step_along_y() const { return step_y_; }
 
   private:
-    PassedOctants(const Plane& plane, const OctantGrid& grid, int turn, const IndexRange (&range)[3])
-        : step_y_(turn * plane.normal(1).value()), step_z_(turn * plane.normal(2).value()),
-          j_(range[1].first), k_(range[2].first),
-          not_above_(greatest_at(plane, grid, turn), turn * plane.normal(0).value(), grid.side(),
-                     range[0].first),
-          below_(least_at(plane, grid, turn), turn * plane.normal(0).value(), grid.side(), range[0].first) {
-        const std::int64_t change = j_ * step_y_ + k_ * step_z_;
-        not_above_.raise(change);
-        below_.raise(change);
-    }
+    PassedOctants(const Plane& plane, const OctantGrid& grid, const IndexRange (&range)[3], int turn)
+        : PassedOctants(turn * plane.at(grid.corner).value(), turn * plane.normal(0).value(),
+                        turn * plane.normal(1).value(), turn * plane.normal(2).value(), grid, range) {}
 
-    // The values at the first octant's corner where they are least, or greatest; those rounded down from just
-    // below.
-    static std::int64_t least_at(const Plane& plane, const OctantGrid& grid, int turn) {
-        return (turn * plane.at(grid.corner).value() >> grid.shift) + steps(plane, turn, true);
-    }
-    static std::int64_t greatest_at(const Plane& plane, const OctantGrid& grid, int turn) {
-        return ~(-turn * plane.at(grid.corner).value() >> grid.shift) + steps(plane, turn, false);
-    }
-    static std::int64_t steps(const Plane& plane, int turn, bool down) {
-        std::int64_t sum = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t step = turn * plane.normal(axis).value();
-            if ((step < 0) == down) sum += step;
-        }
-        return sum;
-    }
+    // From the value at the grid's corner: of a row's first octant the values are least where all steps that
+    // fall lead, greatest where those lead that do not; these are rounded down from just below.
+    PassedOctants(std::int64_t at_corner, std::int64_t step_x, std::int64_t step_y, std::int64_t step_z,
+                  const OctantGrid& grid, const IndexRange (&range)[3])
+        : step_y_(step_y), step_z_(step_z), j_(range[1].first), k_(range[2].first),
+          not_above_(~(-at_corner >> grid.shift) + step_x + raising(step_y, j_) + raising(step_z, k_), step_x,
+                     grid.side(), range[0].first),
+          below_((at_corner >> grid.shift) + falling(step_y, j_) + falling(step_z, k_), step_x, grid.side(),
+                 range[0].first) {}
+
+    // To row `row`, and to the side of it where the value is greater, or less.
+    static std::int64_t raising(std::int64_t step, int row) { return step * (step > 0 ? row + 1 : row); }
+    static std::int64_t falling(std::int64_t step, int row) { return step * (step < 0 ? row + 1 : row); }
 
     std::int64_t step_y_;
     std::int64_t step_z_;
@@ -233,9 +215,9 @@ int FaceInGrid::axes_within(const IndexRange (&range)[3]) const {
 void FaceInGrid::mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows,
                              std::uint32_t* scratch) const {
     auto* const tables = reinterpret_cast<std::int8_t*>(scratch);
-    Slabs x_by_y(grid_, tables);
-    Slabs x_by_z(grid_, tables + 64);
-    Slabs y_by_z(grid_, tables + 128);
+    Slabs x_by_y(tables);
+    Slabs x_by_z(tables + 64);
+    Slabs y_by_z(tables + 128);
     see(axis_x, axis_y, plane, range, x_by_y);
     see(axis_x, axis_z, plane, range, x_by_z);
     see(axis_y, axis_z, plane, range, y_by_z);

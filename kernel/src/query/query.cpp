@@ -10,27 +10,30 @@ PointOutcome leaf_at(const Octree& tree, const Point& cell) {
     const auto x = static_cast<std::uint32_t>(cell.x());
     const auto y = static_cast<std::uint32_t>(cell.y());
     const auto z = static_cast<std::uint32_t>(cell.z());
-    if ((x | y | z) >> lattice_bits != 0) { // a negative coordinate has high bits too
-        // Whoever forgets the status errs on the safe side.
-        return {Status::point_off_root, Leaf{root_octant, Colour::boundary}, 0};
+    const bool in_root = (x | y | z) >> lattice_bits == 0; // a negative coordinate has high bits too
+    unsigned shift = lattice_bits;                         // the leaf's side is 2^shift
+    Colour colour = Colour::boundary; // off the root: whoever forgets the status errs on the safe side
+    std::uint32_t visited = 0;
+    if (in_root) {
+        const Node* node = &tree.top;
+        unsigned child = 0;
+        for (;;) {
+            --shift;
+            child = (x >> shift & 1U) | (y >> shift & 1U) << 1 | (z >> shift & 1U) << 2;
+            const std::uint8_t grey = node->grey();
+            if (!contains(grey, child)) break;
+            // As NodePool::child, written out for the sake of speed.
+            const auto before = static_cast<std::uint8_t>(grey & ~(~std::uint32_t{0} << child));
+            node = &tree.pool->at(static_cast<NodeIndex>(node->first() + count_bits(before)));
+        }
+        colour = node->colour(child);
+        visited = lattice_bits - shift;
+        if (visited == 1 && node->is_uniform()) ++shift;
     }
-    const Node* node = &tree.top;
-    unsigned shift = lattice_bits - 1; // of the coordinates' bits that name the child
-    unsigned child = 0;
-    for (;; --shift) {
-        child = (x >> shift & 1U) | (y >> shift & 1U) << 1 | (z >> shift & 1U) << 2;
-        const std::uint8_t grey = node->grey();
-        if (!contains(grey, child)) break;
-        // As NodePool::child, written out for the sake of speed.
-        const auto before = static_cast<std::uint8_t>(grey & ~(~std::uint32_t{0} << child));
-        node = &tree.pool->at(static_cast<NodeIndex>(node->first() + count_bits(before)));
-    }
-    const Colour colour = node->colour(child);
-    if (shift == lattice_bits - 1 && node->is_uniform()) return {Status::ok, Leaf{root_octant, colour}, 1};
-    const std::int32_t of_corner = -(std::int32_t{1} << shift);
-    const auto level = static_cast<std::uint8_t>(lattice_bits - shift);
+    const std::int32_t of_corner = in_root ? -(std::int32_t{1} << shift) : 0;
     const Point corner = {{cell.x() & of_corner, cell.y() & of_corner, cell.z() & of_corner}};
-    return {Status::ok, Leaf{Octant{corner, level}, colour}, level};
+    return {in_root ? Status::ok : Status::point_off_root,
+            Leaf{Octant{corner, static_cast<std::uint8_t>(lattice_bits - shift)}, colour}, visited};
 }
 
 namespace {
