@@ -14,10 +14,6 @@ using Words = std::vector<std::uint32_t>;
 
 std::uint32_t size_of(const Words& words) { return static_cast<std::uint32_t>(words.size()); }
 
-void require_converted(Status status) {
-    if (status != Status::ok) throw BadInput(describe(status));
-}
-
 template <class Job>
 TreeOutcome run_pass(Job& job, const CheckedSolid& solid, const ConvertOptions& options, Words& scratch,
                      NodePool* pool, Progress& progress) {
@@ -41,11 +37,19 @@ LabellingOutcome run_pass(Labelling& job, const CheckedSolid& solid, const Conve
 
 } // namespace
 
+void require_converted(Status status) {
+    if (status != Status::ok) throw BadInput(describe(status));
+}
+
+std::size_t grid_words(const Solid& solid, int depth) {
+    const std::uint64_t words = grid_scratch(solid, depth);
+    if (words > UINT32_MAX) throw BadInput("too many faces for grids; --technique divide takes less memory");
+    return static_cast<std::size_t>(words);
+}
+
 Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress) {
     const auto job = std::make_unique<GridConversion>();
-    const std::uint64_t words = grid_scratch(solid.view(), options.depth);
-    if (words > UINT32_MAX) throw BadInput("too many faces for grids; --technique divide takes less memory");
-    Words scratch(static_cast<std::size_t>(words));
+    Words scratch(grid_words(solid.view(), options.depth));
     const TreeOutcome counted = run_pass(*job, solid, options, scratch, nullptr, progress);
     auto pool = std::make_unique<HostPool>(counted.nodes_needed);
     const Stopwatch watch;

@@ -2,6 +2,7 @@
 #ifndef OSEM_HOST_CONVERSION_HPP
 #define OSEM_HOST_CONVERSION_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -24,6 +25,12 @@ struct Converted {
     /// What else the technique counts, by name.
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
+
+/// Throws BadInput with the status's description unless it is ok.
+void require_converted(Status status);
+
+/// Words of scratch for grids of any faces of a solid. Throws BadInput when they are more than a job takes.
+std::size_t grid_words(const Solid& solid, int depth);
 
 /// Grids of octants.
 Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);

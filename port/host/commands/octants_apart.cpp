@@ -5,10 +5,10 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "commands/stopwatch.hpp"
-#include "mesh/bad_input.hpp"
 #include "osem/grid_convert.hpp"
 
 namespace osem::host {
@@ -33,7 +33,10 @@ class Crew {
     std::array<Part, 8>& work(unsigned threads) {
         std::vector<std::thread> others;
         others.reserve(threads);
-        for (unsigned i = 1; i < threads; ++i) others.emplace_back([this] { work_on(nullptr); });
+        try {
+            for (unsigned i = 1; i < threads; ++i) others.emplace_back([this] { work_on(nullptr); });
+        } catch (const std::system_error&) { // the system starts no more: fewer do it as well
+        }
         work_on(&progress_);
         for (std::thread& other : others) other.join();
         if (failure_) std::rethrow_exception(failure_);
@@ -44,8 +47,7 @@ class Crew {
     void work_on(Progress* progress) {
         try {
             const auto job = std::make_unique<GridConversion>();
-            std::vector<std::uint32_t> scratch(
-                static_cast<std::size_t>(grid_scratch(solid_.view(), options_.depth - 1)));
+            std::vector<std::uint32_t> scratch(grid_words(solid_.view(), options_.depth - 1));
             for (unsigned child = next_++; child < parts_.size(); child = next_++) {
                 convert(*job, scratch, child, progress);
             }
@@ -69,16 +71,15 @@ class Crew {
 
     TreeOutcome run(GridConversion& job, std::vector<std::uint32_t>& scratch, unsigned child, NodePool* pool,
                     Progress* progress) {
-        const Status status =
-            job.begin(solid_, options_, scratch.data(), static_cast<std::uint32_t>(scratch.size()), pool,
-                      GridOptions{most_grid_levels, root_octant.child(child)});
-        if (status != Status::ok) throw BadInput(describe(status));
+        require_converted(job.begin(solid_, options_, scratch.data(),
+                                    static_cast<std::uint32_t>(scratch.size()), pool,
+                                    GridOptions{most_grid_levels, root_octant.child(child)}));
         while (job.step(1)) {
             if (progress != nullptr) progress->show(done_ + (job.decided_volume() >> 20), passes_volume);
         }
         done_ += volume_at(1) >> 20;
         const TreeOutcome outcome = job.finish();
-        if (outcome.status != Status::ok) throw BadInput(describe(outcome.status));
+        require_converted(outcome.status);
         return outcome;
     }
 
