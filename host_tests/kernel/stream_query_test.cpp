@@ -168,6 +168,34 @@ TEST(StreamQuery, ASourceMayFailAtEveryRead) {
     }
 }
 
+// A digest looks ahead, and reads again what it saw: a read refused the first time alone is a fault all the
+// same.
+TEST(StreamQuery, AReadRefusedOnceInALookAheadIsNamed) {
+    struct Once {
+        const Bytes& bytes;
+        std::size_t left; // reads answered before the one that is refused
+        std::uint64_t refused_at = UINT64_MAX;
+        static bool read(void* context, std::uint64_t offset, std::uint8_t* to, std::size_t count) {
+            auto& self = *static_cast<Once*>(context);
+            if (self.left-- == 0) {
+                self.refused_at = offset;
+                return false;
+            }
+            std::copy_n(self.bytes.begin() + static_cast<std::ptrdiff_t>(offset), count, to);
+            return true;
+        }
+    };
+    const Bytes bytes = stream_of(random_grid(4, 3, three_colours));
+    TestSource whole(bytes);
+    ASSERT_EQ(digest(whole.source()).status, Status::ok);
+    for (std::size_t at = 0; at < whole.reads; at += 1 + at / 100) {
+        Once once = {bytes, at};
+        const StreamDigest outcome = digest(Source{Once::read, &once, bytes.size()});
+        ASSERT_EQ(outcome.status, Status::source_failed) << "read " << at;
+        ASSERT_EQ(outcome.offset, once.refused_at);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

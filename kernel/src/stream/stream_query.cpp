@@ -60,8 +60,9 @@ void add_leaf(Measures& m, Colour colour, std::uint64_t cells) {
     }
 }
 
-// The masks of the octant's children; their codes if they are all leaves, else by a look ahead.
-Node masks_at(const StreamCursor& cursor) {
+// The masks of the octant's children; their codes if they are all leaves, else by a look ahead. A fault ends
+// the walk: a source may refuse the look ahead and answer afterwards.
+Node masks_at(StreamCursor& cursor) {
     Node node = Node::uniform(Colour::white);
     if (cursor.colour() != Colour::grey) return Node::uniform(cursor.colour());
     std::uint16_t codes = 0;
@@ -69,7 +70,10 @@ Node masks_at(const StreamCursor& cursor) {
     StreamCursor ahead = cursor;
     for (unsigned k = 0; k < 8; ++k, codes = static_cast<std::uint16_t>(codes >> 2)) {
         if (!leaves) k == 0 ? ahead.next() : ahead.skip();
-        if (ahead.done()) break; // a fault, which the walk itself will meet
+        if (ahead.done()) {
+            cursor = ahead;
+            break;
+        }
         assign_colour(node.may, node.must, k, leaves ? static_cast<Colour>(codes & 3U) : ahead.colour());
     }
     return node;
@@ -99,6 +103,7 @@ StreamDigest digest(const Source& stream) {
         const Node node = masks_at(cursor);
         hash = (hash ^ node.may) * prime;
         hash = (hash ^ node.must) * prime;
+        if (cursor.done()) break;
     }
     return {cursor.status(), cursor.offset(), hash};
 }
