@@ -93,7 +93,7 @@ std::int64_t corner_index(const Reading& reading, std::string_view corner) {
         if (rest.front() != '/') break;
         rest.remove_prefix(1);
     }
-    reading.fail("a face has the corner " + std::string(corner) + ", which is no vertex index");
+    reading.fail("a face has the corner " + quoted(corner) + ", which is no vertex index");
 }
 
 void take_face(void* context, tinyobj::index_t*, int) {
