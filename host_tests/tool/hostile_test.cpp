@@ -207,6 +207,26 @@ TEST_F(Hostile, NoInputIsWrittenOver) {
     }
 }
 
+// A file of a few bytes may state a depth of 20, so a stack of a million pictures.
+TEST_F(Hostile, AStackHasAnEnd) {
+    make_box("deep", {0.5, 0.5, 0.5}, {1, 1, 1}, {"--depth", "20"});
+    ASSERT_LT(fs::file_size(path("deep.osem")), 100U);
+    const auto before = files();
+    const auto stack = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> line = {"slice", path("deep.osem"), "--axis", "z", "--stack"};
+        line.insert(line.end(), more.begin(), more.end());
+        return osem(line);
+    };
+    const std::string out = path("s%d.png");
+    EXPECT_TRUE(failed(stack({"-o", out}), 2, "a stack of 1048576 layers; 16384 at most"));
+    EXPECT_TRUE(failed(stack({"--runs"}), 2, "16384 at most"));
+    EXPECT_TRUE(failed(stack({"--every", "63", "-o", out}), 2, "a stack of 16645 layers"));
+    EXPECT_TRUE(failed(stack({"--level", "15", "-o", out}), 2, "a stack of 32768 layers"));
+    EXPECT_EQ(files(), before);
+    EXPECT_TRUE(succeeded(stack({"--every", "1048576", "--level", "20", "--runs", "-o", path("runs")})));
+    EXPECT_TRUE(succeeded(stack({"--level", "3", "-o", out})));
+}
+
 } // namespace
 
 } // namespace osem::tool_test

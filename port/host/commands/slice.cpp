@@ -52,6 +52,9 @@ std::int32_t cell_at(const WorldCube& cube, Axis axis, const char* option, const
     return static_cast<std::int32_t>(cell);
 }
 
+// A file of a few bytes may state a depth of 20: a million pictures.
+constexpr std::int32_t most_layers = 16384;
+
 // The cells of the layers asked for: one, or those of a stack, each the lowest of its layer of pixels.
 std::vector<std::int32_t> cells_of(const SliceArguments& options, const WorldCube& cube, int level) {
     if (!options.stack) return {cell_at(cube, options.axis, "--at", options.at)};
@@ -61,6 +64,11 @@ std::vector<std::int32_t> cells_of(const SliceArguments& options, const WorldCub
     if (!options.from.empty()) first = cell_at(cube, options.axis, "--from", options.from);
     if (!options.to.empty()) last = cell_at(cube, options.axis, "--to", options.to);
     if (first > last) throw CLI::ValidationError("--from", "is above --to");
+    const std::int32_t layers = (last / side - first / side) / options.every + 1;
+    if (layers > most_layers) {
+        throw BadInput("a stack of " + std::to_string(layers) + " layers; " + std::to_string(most_layers) +
+                       " at most: --level, --every, --from and --to choose fewer");
+    }
     std::vector<std::int32_t> cells;
     for (std::int64_t layer = first / side; layer <= last / side; layer += options.every) {
         cells.push_back(static_cast<std::int32_t>(layer) * side);
@@ -197,7 +205,7 @@ constexpr const char* slice_footer =
     "--stack writes one picture a layer of pixels (with --level of its lowest cells), numbered from 0 at "
     "the\n"
     "root's low side: -o is a directory (0000.png, 0001.png, ...) or a pattern such as part%04d.png. If it\n"
-    "fails part way, the pictures written so far remain.\n"
+    "fails part way, the pictures written so far remain. A stack has at most 16384 layers.\n"
     "--runs prints one line a run, white left out: \"layer row start length colour\", all in pixels, rows\n"
     "counted upwards; with -o into a file.";
 
