@@ -36,6 +36,7 @@ struct BoundaryCorner {
     std::uint8_t out;    ///< the way out of it
     std::uint8_t role;   ///< whether it stands for a ring, and of which kind
 };
+static_assert(sizeof(BoundaryCorner) == 28, "corners of a surface are packed");
 
 /// Entries of scratch that a surface takes: one a corner. What `corners` is, a counting pass says.
 constexpr std::uint32_t boundary_scratch(std::uint32_t corners) { return corners; }

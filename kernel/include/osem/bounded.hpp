@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "osem/assumptions.hpp"
 #include "osem/config.hpp"
 
 namespace osem {

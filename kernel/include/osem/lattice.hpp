@@ -39,6 +39,7 @@ struct Point {
     }
     friend constexpr bool operator!=(const Point& a, const Point& b) { return !(a == b); }
 };
+static_assert(sizeof(Point) == 12, "points are packed");
 
 /// An octant: the cube with minimum corner `corner` and side root_side >> level. Corners are multiples of
 /// the side. Which of its border belongs to it is said where it matters (open for classification).
@@ -93,9 +94,6 @@ using PlaneValue = decltype(NormalComponent::claim(0) * QueryDifference::claim(0
                             NormalComponent::claim(0) * QueryDifference::claim(0) +
                             NormalComponent::claim(0) * QueryDifference::claim(0));
 
-// What the kernel takes for granted of a compiler.
-static_assert(sizeof(int) >= 4 && (-1 >> 1) == -1 && static_cast<std::uint8_t>(-1) == 0xff,
-              "int of 32 bits or more, arithmetic right shift, two's complement bytes");
 static_assert(sizeof(VertexDifference) == 4 && sizeof(QueryDifference) == 4, "differences stay in 32 bits");
 static_assert(sizeof(PlaneValue) == 8, "plane values stay in 64 bits");
 

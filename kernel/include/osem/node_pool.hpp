@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "osem/assumptions.hpp"
 #include "osem/config.hpp"
 #include "osem/status.hpp"
 

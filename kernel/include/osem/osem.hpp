@@ -2,6 +2,7 @@
 #ifndef OSEM_OSEM_HPP
 #define OSEM_OSEM_HPP
 
+#include "osem/assumptions.hpp"
 #include "osem/bintree.hpp"
 #include "osem/boolean.hpp"
 #include "osem/boundary.hpp"

@@ -60,6 +60,7 @@ struct Edge {
     std::uint32_t from;
     std::uint32_t to;
 };
+static_assert(sizeof(Edge) == 8, "edges are packed");
 
 /// Entries of scratch that check needs: one Edge a corner.
 constexpr std::uint32_t check_scratch(const Solid& solid) { return solid.corner_count; }

@@ -1,0 +1,2 @@
+#include "osem/assumptions.hpp"
+#include "osem/assumptions.hpp" // and once more: the guard
