@@ -54,7 +54,7 @@ void add_commands(CLI::App& app, const Console& console) {
 }
 
 // The last lines of every command's help, also of the commands of a command.
-void add_exit_codes(CLI::App& app) {
+void add_exit_codes(CLI::App& app) { // NOLINT(misc-no-recursion): as deep as commands have commands
     const std::string footer = app.get_footer();
     app.footer(footer.empty() ? exit_codes : footer + '\n' + exit_codes);
     for (CLI::App* command : app.get_subcommands({})) add_exit_codes(*command);

@@ -19,6 +19,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_name_part(char c) { return is_letter(c) || (c >= '0' && c <= '9'); }
 
 // Recursive descent; parentheses and complements nest as deep as most_nesting at the most.
+// NOLINTBEGIN(misc-no-recursion)
 class Parser {
   public:
     Parser(std::string_view text, const std::vector<std::string>& names)
@@ -113,6 +114,7 @@ class Parser {
     std::size_t at_ = 0;
     int nesting_ = 0;
 };
+// NOLINTEND(misc-no-recursion)
 
 } // namespace
 

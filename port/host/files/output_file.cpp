@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -18,11 +17,13 @@ namespace {
     throw BadInput(name + ": cannot be written: " + why);
 }
 
+std::string last_fault() { return std::generic_category().message(errno); }
+
 // Mode "x" creates the file or fails, so a file of someone else is never taken over.
 bool create_new(const std::string& path) {
     std::FILE* file = std::fopen(path.c_str(), "wbx");
     if (file == nullptr) return false;
-    std::fclose(file);
+    static_cast<void>(std::fclose(file)); // nothing was written
     return true;
 }
 
@@ -39,7 +40,7 @@ OutputFile::OutputFile(const std::string& target) : name_(target), target_(targe
     const bool direct = fs::exists(status) && !fs::is_regular_file(status);
     if (!direct) create_beside();
     stream_.open(direct ? target_ : temporary_, std::ios::binary | std::ios::trunc);
-    if (!stream_) refuse(name_, std::strerror(errno));
+    if (!stream_) refuse(name_, last_fault());
 }
 
 void OutputFile::create_beside() {
@@ -50,7 +51,7 @@ void OutputFile::create_beside() {
             temporary_ = candidate;
             return;
         }
-        if (errno != EEXIST) refuse(name_, std::strerror(errno));
+        if (errno != EEXIST) refuse(name_, last_fault());
     }
     refuse(name_, "too many unfinished files beside it");
 }
@@ -65,7 +66,7 @@ void OutputFile::probe(const std::string& target) {
 
 OutputFile::~OutputFile() {
     stream_.close();
-    if (!temporary_.empty()) std::remove(temporary_.c_str());
+    if (!temporary_.empty()) static_cast<void>(std::remove(temporary_.c_str()));
 }
 
 void OutputFile::commit() {

@@ -46,8 +46,10 @@ Wide product(const Wide& a, std::uint32_t b) {
 bool below(const Wide& a, const Wide& b) { return a.high != b.high ? a.high < b.high : a.low < b.low; }
 
 double approximate(const Wide& a) {
-    if ((a.high >> 63) != 0) return -approximate(difference(Wide{0, 0}, a));
-    return std::ldexp(static_cast<double>(a.high), 64) + static_cast<double>(a.low);
+    const bool negative = (a.high >> 63) != 0;
+    const Wide size = negative ? difference(Wide{0, 0}, a) : a;
+    const double value = std::ldexp(static_cast<double>(size.high), 64) + static_cast<double>(size.low);
+    return negative ? -value : value;
 }
 
 std::string decimal(const Wide& a) {

@@ -1,6 +1,7 @@
 #include "mesh/hole_bridges.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace osem::host {
 
@@ -95,9 +96,11 @@ class HoleBridger {
 
     // Of two upward edges with a height in common that do not cross, whether e lies left of f.
     bool left_of(std::uint32_t e, std::uint32_t f) const {
-        if (at(e).v < at(f).v) return !left_of(f, e);
+        const bool swapped = at(e).v < at(f).v;
+        if (swapped) std::swap(e, f);
         const std::int64_t turn = orient(at(f), at(next(f)), at(e));
-        return turn != 0 ? turn > 0 : orient(at(f), at(next(f)), at(next(e))) > 0;
+        const bool left = turn != 0 ? turn > 0 : orient(at(f), at(next(f)), at(next(e))) > 0;
+        return left != swapped;
     }
 
     std::uint32_t first_edge_met(const FlatPoint& start) const {

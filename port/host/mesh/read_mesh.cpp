@@ -2,9 +2,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include "mesh/bad_input.hpp"
 #include "mesh/readers.hpp"
@@ -15,18 +15,19 @@ namespace osem::host {
 namespace {
 
 struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
+    void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
 };
 
 std::string read_file(const std::string& path) {
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-    if (!file) throw BadInput(std::string("cannot be opened: ") + std::strerror(errno));
+    if (!file) throw BadInput("cannot be opened: " + std::generic_category().message(errno));
     std::string bytes;
     char buffer[1 << 16];
     while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get())) {
         bytes.append(buffer, got);
     }
-    if (std::ferror(file.get()) != 0) throw BadInput(std::string("cannot be read: ") + std::strerror(errno));
+    if (std::ferror(file.get()) != 0)
+        throw BadInput("cannot be read: " + std::generic_category().message(errno));
     return bytes;
 }
 
