@@ -3,6 +3,7 @@
 #include "bintree/words.hpp"
 #include "classify/crossing.hpp"
 #include "convert/inside.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -97,8 +98,7 @@ LabellingOutcome convert_by_labelling(Labelling& job, const CheckedSolid& solid,
                                       std::uint32_t* blocks, std::uint32_t block_size, NodePool* pool) {
     const Status status = job.begin(solid, depth, winding, faces, face_size, blocks, block_size, pool);
     if (status != Status::ok) return {{status, 0, 0, Octree{pool, Node::uniform(Colour::white), 1}}, 0, 0};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

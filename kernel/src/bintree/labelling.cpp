@@ -3,6 +3,7 @@
 #include "bintree/words.hpp"
 #include "classify/box.hpp"
 #include "classify/crossing.hpp"
+#include "tree/counts.hpp"
 #include "tree/disjoint_sets.hpp"
 
 namespace osem {
@@ -72,7 +73,7 @@ bool Labelling::step(std::uint32_t steps) {
 // Blocks past the end of the scratch are only counted.
 void Labelling::append(std::uint32_t word) {
     if (count_ < block_size_) blocks_[count_] = word;
-    if (count_ != UINT32_MAX) ++count_;
+    count_ = counted(count_, 1);
     if (needed_ < count_) needed_ = count_;
 }
 
@@ -110,7 +111,7 @@ void Labelling::leave() {
         met_ = met_ && ((first_met_ >> bit) & 1U) != 0;
         if (met_) {
             if (fits()) blocks_[frames_[bit].index] = met_block;
-            if (count_ != UINT32_MAX) count_ -= 2;
+            count_ -= 2; // past the greatest count it no longer matters: they do not fit
         } else if (fits()) {
             start_linking();
             return;

@@ -1,6 +1,7 @@
 #include "osem/boolean.hpp"
 
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -140,8 +141,7 @@ Node Combination::child_of(const Node& node, unsigned child, bool complement) co
 TreeOutcome combine(Combination& job, Operator op, const Octree& a, const Octree& b, NodePool& pool) {
     const Status status = job.begin(op, a, b, pool);
     if (status != Status::ok) return {status, 0, 0, a};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

@@ -1,6 +1,7 @@
 // The surface on its way to the caller.
 #include "boundary/corner_order.hpp"
 #include "osem/boundary.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -82,8 +83,7 @@ Solid boundary_solid(Boundary& job, const BoundaryArrays& arrays) {
         job.emit(BoundarySink{Filler::vertex, Filler::corner, Filler::end_ring, Filler::end_face, &filler});
     OSEM_ASSERT(status == Status::ok);
     static_cast<void>(status);
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return filler.solid;
 }
 

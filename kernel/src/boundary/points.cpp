@@ -2,6 +2,7 @@
 #include "boundary/corner_order.hpp"
 #include "boundary/link_cycle.hpp"
 #include "osem/boundary.hpp"
+#include "tree/counts.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -111,7 +112,7 @@ void Boundary::add_vertex(const Point& at) {
 void Boundary::add_corner(const Point& at, std::uint8_t facing, unsigned in, unsigned out) {
     if (phase_ != Phase::gather) return;
     const std::uint32_t index = sizes_.corners;
-    if (index != UINT32_MAX) ++sizes_.corners;
+    sizes_.corners = counted(index, 1);
     if (!is_storing()) return;
     corners_[index] = BoundaryCorner{at,
                                      sizes_.vertices - 1,

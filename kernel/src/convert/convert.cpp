@@ -1,6 +1,7 @@
 #include "osem/convert.hpp"
 
 #include "convert/inside.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -97,8 +98,7 @@ TreeOutcome convert(Conversion& job, const CheckedSolid& solid, const ConvertOpt
                     std::uint32_t* scratch, std::uint32_t scratch_size, NodePool* pool) {
     const Status status = job.begin(solid, options, scratch, scratch_size, pool);
     if (status != Status::ok) return {status, 0, 0, Octree{pool, Node::uniform(Colour::white), 1}};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

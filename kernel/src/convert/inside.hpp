@@ -12,10 +12,9 @@ inline bool is_inside(WindingRule rule, std::int32_t winding) {
         return winding != 0;
     case WindingRule::odd:
         return (winding & 1) != 0;
-    case WindingRule::positive:
+    default: // positive
         return winding > 0;
     }
-    return false;
 }
 
 } // namespace osem

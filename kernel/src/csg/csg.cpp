@@ -1,6 +1,7 @@
 #include "osem/csg.hpp"
 
 #include "csg/walker.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -179,8 +180,7 @@ CsgOutcome convert_expression(CsgConversion& job, const CsgToken* tokens, std::u
     if (fault.status != Status::ok) {
         return {{fault.status, 0, 0, Octree{pool, Node::uniform(Colour::white), 1}}, fault};
     }
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

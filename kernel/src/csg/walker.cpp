@@ -52,7 +52,7 @@ Colour CsgWalker::look_at(const Octant& octant, const CsgOptions& options, const
         return tree->tree_.top.is_uniform() ? tree->tree_.top.colour(0) : Colour::grey;
     }
     StreamCursor& cursor = operand_.stream_->cursor_;
-    if (cursor.done()) return Colour::boundary; // a fault, which the status tells
+    OSEM_ASSERT(!cursor.done()); // the walk ends where a stream does, and with its first fault
     const Colour colour = cursor.colour();
     if (colour != Colour::grey) cursor.next();
     return colour;

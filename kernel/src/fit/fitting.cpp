@@ -1,5 +1,7 @@
 #include "osem/fit.hpp"
 
+#include "tree/run_to_end.hpp"
+
 namespace osem {
 
 Status Fitting::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
@@ -55,8 +57,7 @@ FitOutcome fit(Fitting& job, const CheckedSolid& solid, const ConvertOptions& op
     if (status != Status::ok) {
         return {{status, 0, 0, Octree{&pool, Node::uniform(Colour::white), 1}}, 0};
     }
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

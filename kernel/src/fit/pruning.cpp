@@ -1,5 +1,6 @@
 #include "osem/fit.hpp"
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -8,15 +9,10 @@ namespace {
 // Below the root an octant holds at most 2^57 cells: at this price none is kept.
 constexpr std::uint64_t highest_price = volume_at(1);
 
-// What is left of a cost once `units` at a price are taken off; 0 when they come to more. The product is made
-// of 32-bit halves, as it may need more than 64 bits and the target need not have a divider to compare by.
-// Precondition: price <= highest_price, so that no part of the product overflows.
+// What is left of a cost once `units` at a price are taken off; 0 when they come to more.
 std::uint64_t cost_less(std::uint64_t cost, std::uint64_t price, std::uint32_t units) {
-    const std::uint64_t low = (price & UINT32_MAX) * units;
-    const std::uint64_t high = (price >> 32) * units + (low >> 32);
-    if (high > UINT32_MAX) return 0;
-    const std::uint64_t product = (high << 32) | (low & UINT32_MAX);
-    return product > cost ? 0 : cost - product;
+    const std::uint64_t taken_off = price * units;
+    return taken_off > cost ? 0 : cost - taken_off;
 }
 
 bool has_known_leaf(const Node& node) { return (blacks(node) | whites(node)) != 0; }
@@ -59,6 +55,8 @@ void Pruning::appraised() {
         return;
     }
     room_ = budget_ - kept;
+    // At a price lower by one, more than the budget would be kept, each node for that price, and no more than
+    // the root's volume is there to be paid with: so the budget at this price comes to less than 2^60 + 2^32.
     least_loss_ = cost_less(appraisal_.cost_below(), price_, budget_);
     start_writing();
 }
@@ -176,8 +174,7 @@ PruneOutcome Pruning::finish() {
 
 PruneOutcome prune(Pruning& job, const Octree& tree, std::uint32_t budget, NodePool* pool) {
     job.begin(tree, budget, pool);
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

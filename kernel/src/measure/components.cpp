@@ -141,7 +141,8 @@ void ComponentLabelling::advance() {
         Leaf leaf = {};
         std::uint32_t place = 0;
         ++passed_;
-        if (walk_.read(leaf, place)) number_leaf(place);
+        static_cast<void>(walk_.read(leaf, place)); // there is one for each of leaves_
+        number_leaf(place);
         if (--leaves_ == 0) pass_ = Pass::done;
     }
 }
@@ -150,7 +151,8 @@ void ComponentLabelling::start_uniting() {
     leaves_ = walk_.words_needed() - walk_.nodes();
     pass_ = Pass::done;
     if (walk_.words_needed() > size_ || leaves_ == 0) return;
-    if (clusters_.ahead()) pass_ = Pass::unite; // as it is: there is the root itself
+    static_cast<void>(clusters_.ahead()); // as it is: there is the root itself
+    pass_ = Pass::unite;
 }
 
 void ComponentLabelling::start_numbering() {

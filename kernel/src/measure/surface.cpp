@@ -1,5 +1,6 @@
 #include "osem/measure.hpp"
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -48,8 +49,7 @@ SurfaceOutcome SurfaceMeasurement::finish() const {
 
 SurfaceOutcome measure_surface(SurfaceMeasurement& job, const Octree& tree) {
     job.begin(tree);
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include "query/children_in.hpp"
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -135,8 +136,7 @@ void Collision::note(Contact contact, bool of_b, std::uint8_t children) {
 
 CollisionOutcome collide(Collision& job, const Octree& a, const Octree& b, const Point& offset) {
     job.begin(a, b, offset);
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

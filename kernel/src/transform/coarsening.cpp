@@ -1,6 +1,7 @@
 #include "osem/transform.hpp"
 
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -92,8 +93,7 @@ void Coarsening::leave() {
 TreeOutcome coarsen(Coarsening& job, const Octree& tree, int depth, Coarse mode, NodePool& pool) {
     const Status status = job.begin(tree, depth, mode, pool);
     if (status != Status::ok) return {status, 0, 0, tree};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

@@ -1,6 +1,7 @@
 #include "osem/transform.hpp"
 
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -66,8 +67,7 @@ void Reorientation::enter(const Node& node, unsigned child) {
 TreeOutcome reorient(Reorientation& job, const Octree& tree, const Symmetry& symmetry, NodePool& pool) {
     const Status status = job.begin(tree, symmetry, pool);
     if (status != Status::ok) return {status, 0, 0, tree};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

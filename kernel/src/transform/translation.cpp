@@ -3,6 +3,7 @@
 #include "query/cell_box.hpp"
 #include "query/children_in.hpp"
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -266,8 +267,7 @@ void Translation::leave() {
 TreeOutcome translate(Translation& job, const Octree& tree, const Placement& placement, NodePool& pool) {
     const Status status = job.begin(tree, placement, pool);
     if (status != Status::ok) return {status, 0, 0, tree};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

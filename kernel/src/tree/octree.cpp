@@ -101,7 +101,7 @@ std::uint64_t digest(const Octree& tree) {
 bool same_leaves(const Octree& a, const Octree& b) {
     NodeWalk in_a(a);
     NodeWalk in_b(b);
-    while (!in_a.done() && !in_b.done()) {
+    while (!in_a.done()) { // as far as the nodes are equal, both walks take the same way
         const Node& node_a = in_a.node();
         const Node& node_b = in_b.node();
         if (node_a.may != node_b.may || node_a.must != node_b.must) return false;
@@ -109,7 +109,7 @@ bool same_leaves(const Octree& a, const Octree& b) {
         shared ? in_a.skip() : in_a.next();
         shared ? in_b.skip() : in_b.next();
     }
-    return in_a.done() && in_b.done();
+    return true;
 }
 
 } // namespace osem

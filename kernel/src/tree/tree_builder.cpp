@@ -1,5 +1,6 @@
 #include "osem/tree_builder.hpp"
 
+#include "tree/counts.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -93,7 +94,7 @@ bool TreeBuilder::equals_group(const Level& level, std::uint8_t grey, const Node
 }
 
 NodeIndex TreeBuilder::write_group(const Node* nodes, std::uint32_t count) {
-    needed_ = needed_ > UINT32_MAX - count ? UINT32_MAX : needed_ + count;
+    needed_ = counted(needed_, count);
     NodeIndex first = counted_only;
     if (writing_ && pool_->append(nodes, count, first) != Status::ok) {
         pool_->roll_back(mark_);
