@@ -2,7 +2,9 @@
 // dense grids; and where filling by connectivity alone goes wrong.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "osem/bintree.hpp"
@@ -300,6 +302,70 @@ TEST(Labelling, Refusals) {
         job.begin(solid.checked(), 3, WindingRule::odd, run.faces.data(), 5, run.blocks.data(), 9, nullptr),
         Status::scratch_too_small);
     EXPECT_FALSE(job.step(1));
+}
+
+// The size is an upper bound: more than there can be blocks is as good as enough.
+TEST(Labelling, WordsOfEveryNumberThatCanBeStated) {
+    const SmallSolid solid = boxes_solid({box(1, 15)});
+    HeapPool expected(1000);
+    const TreeOutcome divided = converted(solid, {3}, &*expected);
+    Words run(solid, blocks_needed(solid, 3));
+    for (const std::uint32_t size : {UINT32_MAX - 2, UINT32_MAX - 1, UINT32_MAX}) {
+        HeapPool pool(1000);
+        Labelling job;
+        ASSERT_EQ(job.begin(solid.checked(), 3, WindingRule::nonzero, run.faces.data(),
+                            static_cast<std::uint32_t>(run.faces.size()), run.blocks.data(), size, &*pool),
+                  Status::ok);
+        while (job.step(1000)) {
+        }
+        EXPECT_TRUE(same_leaves(job.finish().built.tree, divided.tree));
+    }
+}
+
+// Whether a rectangle along the axes meets an open block.
+bool rectangle_meets(const Polygon& rectangle, const Block& block) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::int32_t low = rectangle[0].at[axis];
+        std::int32_t high = low;
+        for (const Point& corner : rectangle) {
+            low = std::min(low, corner.at[axis]);
+            high = std::max(high, corner.at[axis]);
+        }
+        const std::int32_t start = block.corner.at[axis];
+        const std::int32_t end = start + block.side(axis);
+        if (low == high ? low <= start || low >= end : low >= end || high <= start) return false;
+    }
+    return true;
+}
+
+// A block is asked about the faces that meet the one above it, and each answer is counted once.
+TEST(Labelling, EveryAnswerIsCountedAtItsStage) {
+    const SmallSolid solid = boxes_solid({box(1, 15)});
+    constexpr int depth = 2;
+    Words run(solid, blocks_needed(solid, depth));
+    Labelling job;
+    ASSERT_EQ(run.begin(job, solid, depth, WindingRule::nonzero, nullptr), Status::ok);
+    while (job.step(1000)) {
+    }
+    std::uint64_t accepted = 0;
+    std::uint64_t rejected = 0;
+    std::vector<std::pair<Block, std::uint32_t>> blocks = {{{root_octant.corner, 0}, solid.face_count()}};
+    while (!blocks.empty()) {
+        const auto [block, asked] = blocks.back();
+        blocks.pop_back();
+        std::uint32_t met = 0;
+        for (const auto& face : solid.faces()) met += rectangle_meets(face[0], block) ? 1U : 0U;
+        accepted += met;
+        rejected += asked - met;
+        if (met == 0 || block.level == 3 * depth) continue;
+        for (const unsigned high : {0U, 1U}) blocks.push_back({block.half(high), met});
+    }
+    for (int stage = 0; stage < stage_count; ++stage) {
+        accepted -= job.stages().accepted[stage];
+        rejected -= job.stages().rejected[stage];
+    }
+    EXPECT_EQ(accepted, 0U);
+    EXPECT_EQ(rejected, 0U);
 }
 
 } // namespace

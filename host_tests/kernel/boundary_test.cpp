@@ -168,6 +168,21 @@ TEST(Boundary, ALeafAtFullDepth) {
     }
 }
 
+// The tree of full depth whose last octant in the root's first corner is a grid of depth 2 of cells of
+// side 1.
+Octree in_a_corner(const DenseGrid& grid, NodePool& pool) {
+    TreeBuilder builder;
+    builder.begin(&pool);
+    for (int level = 0; level < max_depth - 2; ++level) builder.open(0);
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        builder.open(octant);
+        for (unsigned k = 0; k < 8; ++k) builder.leaf(k, grid[8 * octant + k]);
+        builder.close();
+    }
+    for (int level = 0; level <= max_depth - 2; ++level) builder.close();
+    return builder.finish(max_depth).tree;
+}
+
 // Slabs joined by two columns that share an edge: both of its copies run from one vertex to one other. At
 // side 2 each gets a vertex within; at side 1 there is no lattice point for it, and the outcome says so.
 TEST(Boundary, AnEdgeThatJoinsTheSameVerticesTwice) {
@@ -199,6 +214,87 @@ TEST(Boundary, AnEdgeThatJoinsTheSameVerticesTwice) {
         EXPECT_EQ(checked(surface.view()).view().face_count, surface.built().sizes.faces);
         EXPECT_EQ(surface.built().double_edges, lower == 18 ? 1U : 0U);
     }
+}
+
+// Edges that are used more than once in one direction, by vertex indices.
+std::uint32_t repeated_edges(const Solid& s) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    std::uint32_t repeated = 0;
+    for (std::uint32_t r = 0; r < s.ring_count(); ++r) {
+        const Ring ring = s.ring(r);
+        for (std::uint32_t i = 0; i < ring.count; ++i) {
+            repeated += edges.insert({ring.corners[i], ring.corners[(i + 1) % ring.count]}).second ? 0U : 1U;
+        }
+    }
+    return repeated;
+}
+
+// Edges of cells, along an axis, around which two cells that touch in it alone are black, and which do not go
+// on so behind their end: those that can be of length 1 and cut.
+std::uint32_t ends_of_cut_edges(const DenseGrid& grid) {
+    const int cells = 1 << grid.depth();
+    std::uint32_t ends = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        // Which of the two diagonals is black around the edge from place (i, j, k) along the axis.
+        const auto diagonal = [&](int i, int j, int k) {
+            const auto black = [&](int dj, int dk) {
+                const int at[3] = {i, j - dj, k - dk};
+                Point p = {};
+                for (int n = 0; n < 3; ++n) {
+                    if (at[n] < 0 || at[n] >= cells) return false;
+                    p.at[(axis + n) % 3] = at[n] * grid.cell_side();
+                }
+                return grid.at(p) == Colour::black;
+            };
+            const int set =
+                (black(0, 0) ? 1 : 0) + (black(1, 1) ? 2 : 0) + (black(0, 1) ? 4 : 0) + (black(1, 0) ? 8 : 0);
+            return set == 3 ? 1 : set == 12 ? 2 : 0;
+        };
+        for (int i = 0; i < cells; ++i) {
+            for (int j = 1; j < cells; ++j) {
+                for (int k = 1; k < cells; ++k) {
+                    const int cut = diagonal(i, j, k);
+                    ends += cut != 0 && cut != diagonal(i + 1, j, k) ? 1U : 0U;
+                }
+            }
+        }
+    }
+    return ends;
+}
+
+// Cells of side 1, where no edge of a cell has a lattice point within. Looked at from so near that a cell is
+// as large as those of a grid of depth 2, the surface is right; and where the outcome does not warn of edges
+// that join the same vertices, or there are none after all, it is a manifold by its vertices.
+TEST(Boundary, RandomCellsOfSideOne) {
+    static Boundary job;
+    std::mt19937 random(67);
+    std::uint32_t double_edges = 0;
+    for (std::uint32_t round = 0; round < 300; ++round) {
+        SCOPED_TRACE(round);
+        DenseGrid grid(2);
+        for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+            grid[cell] = random() % 16 < 4 + round % 8 ? Colour::black : Colour::white;
+        }
+        HeapPool pool(100);
+        const Octree tree = in_a_corner(grid, *pool);
+        const Surface surface(job, tree, SolidPart::inner);
+        std::vector<Point> vertices(surface.view().vertices,
+                                    surface.view().vertices + surface.view().vertex_count);
+        for (Point& vertex : vertices) {
+            for (std::int32_t& coordinate : vertex.at) coordinate *= grid.cell_side();
+        }
+        Solid enlarged = surface.view();
+        enlarged.vertices = vertices.data();
+        EXPECT_TRUE(covered_faces(enlarged, grid.depth()) == expected_faces(grid));
+        EXPECT_EQ(six_volumes(enlarged, grid.cell_side()),
+                  static_cast<std::int64_t>(6 * grid.volume(Colour::black) / volume_at(grid.depth())));
+        const std::uint32_t repeated = repeated_edges(enlarged);
+        EXPECT_LE(repeated, 2 * surface.built().double_edges);
+        EXPECT_LE(surface.built().double_edges, ends_of_cut_edges(grid));
+        if (repeated == 0) EXPECT_TRUE(is_manifold(enlarged, grid));
+        double_edges += surface.built().double_edges;
+    }
+    EXPECT_GT(double_edges, 0U);
 }
 
 } // namespace

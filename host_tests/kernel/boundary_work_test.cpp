@@ -129,6 +129,35 @@ TEST_F(BoundaryWork, ASinkMayRefuseAnything) {
     EXPECT_TRUE(again.calls == whole.calls);
 }
 
+// Nothing to store, so nothing is missing.
+TEST_F(BoundaryWork, AnEmptySurfaceNeedsNoScratch) {
+    job.begin(Octree::uniform(*pool, Colour::white), SolidPart::outer, nullptr, 0);
+    run();
+    Log log;
+    ASSERT_EQ(job.emit(log.sink()), Status::ok);
+    run();
+    EXPECT_EQ(job.finish().status, Status::ok);
+    EXPECT_TRUE(log.calls.empty());
+}
+
+TEST_F(BoundaryWork, TheWalkIsSeenToGoOnceMoreForTheVertices) {
+    build();
+    EXPECT_FALSE(job.step(1)) << "nothing is left until emit";
+    EXPECT_EQ(job.finish().status, Status::ok);
+    Log log;
+    ASSERT_EQ(job.emit(log.sink()), Status::ok);
+    EXPECT_EQ(job.walked_volume(), 0U);
+    std::uint64_t walked = 0;
+    bool was_part_of_it = false;
+    while (job.step(1)) {
+        EXPECT_GE(job.walked_volume(), walked);
+        walked = job.walked_volume();
+        was_part_of_it = was_part_of_it || (walked > 0 && walked < root_volume);
+    }
+    EXPECT_TRUE(was_part_of_it);
+    EXPECT_EQ(job.walked_volume(), root_volume);
+}
+
 } // namespace
 
 } // namespace osem::tests

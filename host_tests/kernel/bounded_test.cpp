@@ -134,6 +134,35 @@ TEST(Bounded, WideningKeepsTheValue) {
     EXPECT_EQ(widest.value(), -5);
 }
 
+// What the types are computed by, at run time, against all products of two ranges.
+TEST(Bounded, AProductsExtremesStandAtTheEnds) {
+    const std::int64_t ends[] = {-7, -2, 0, 3, 5};
+    for (const std::int64_t a : ends) {
+        for (const std::int64_t c : ends) {
+            for (std::int64_t b = a; b <= 5; ++b) {
+                for (std::int64_t d = c; d <= 5; ++d) {
+                    std::int64_t lo = INT64_MAX;
+                    std::int64_t hi = INT64_MIN;
+                    for (std::int64_t x = a; x <= b; ++x) {
+                        for (std::int64_t y = c; y <= d; ++y) {
+                            lo = x * y < lo ? x * y : lo;
+                            hi = x * y > hi ? x * y : hi;
+                        }
+                    }
+                    EXPECT_EQ(detail::product_lo(a, b, c, d), lo);
+                    EXPECT_EQ(detail::product_hi(a, b, c, d), hi);
+                }
+            }
+        }
+    }
+}
+
+TEST(Bounded, ThirtyTwoBitsHoldARangeAndItsNegative) {
+    EXPECT_TRUE(detail::fits_32(-two_to_31 + 1, two_to_31 - 1));
+    EXPECT_FALSE(detail::fits_32(-two_to_31, 0));
+    EXPECT_FALSE(detail::fits_32(0, two_to_31));
+}
+
 } // namespace
 
 } // namespace osem::tests

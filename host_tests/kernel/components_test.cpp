@@ -261,6 +261,23 @@ TEST(Components, FillWritesNoMoreThanThereIsRoomFor) {
     EXPECT_EQ(many.back().volume, 77U);
 }
 
+// The size is an upper bound: more than there can be words is as good as enough.
+TEST(Components, ScratchOfEverySizeThatCanBeStated) {
+    HeapPool pool(3000);
+    const Octree tree = planted(grid_of(6), *pool);
+    const Labelled exact(tree, inner_solid, Connectivity::faces);
+    std::vector<std::uint32_t> scratch(exact.scratch.size());
+    for (const std::uint32_t size : {std::uint32_t{1} << 31, UINT32_MAX}) {
+        ComponentLabelling job;
+        job.begin(tree, inner_solid, Connectivity::faces, scratch.data(), size);
+        while (job.step(1000)) {
+        }
+        EXPECT_EQ(job.finish().status, Status::ok);
+        EXPECT_EQ(job.finish().components, exact.outcome.components);
+        EXPECT_EQ(scratch, exact.scratch);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

@@ -217,6 +217,26 @@ TEST(Csg, OnWindingNumbersEveryRuleIsItsOwn) {
     EXPECT_EQ(expand(outcome.built.tree, 4), inner_box);
 }
 
+// Solids whose surface does not meet the open root: none at all, and the root's own.
+TEST(Csg, SolidsThatTheRootDoesNotShow) {
+    const SmallSolid nothing;
+    const SmallSolid all = box_solid({Point{{0, 0, 0}}, Point{{root_side, root_side, root_side}}});
+    std::vector<std::uint32_t> list(all.face_count());
+    CsgSolid empty(nothing.checked(), WindingRule::nonzero, nullptr, 0);
+    CsgSolid full(all.checked(), WindingRule::nonzero, list.data(), all.face_count());
+    const CsgToken x = CsgToken::of(0U);
+    const CsgToken y = CsgToken::of(1U);
+    for (const LeafRule rule : {LeafRule::conservative, LeafRule::centre}) {
+        CsgConversion job;
+        const CsgOptions options = options_of(5, rule);
+        EXPECT_EQ(run(job, {x}, {empty}, options, nullptr).built.tree.top, Node::uniform(Colour::white));
+        EXPECT_EQ(run(job, {x}, {full}, options, nullptr).built.tree.top, Node::uniform(Colour::black));
+        const CsgOutcome less =
+            run(job, {y, x, CsgToken::of(Operator::subtract)}, {empty, full}, options, nullptr);
+        EXPECT_EQ(less.built.tree.top, Node::uniform(Colour::black));
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

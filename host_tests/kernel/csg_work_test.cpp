@@ -250,6 +250,69 @@ TEST(CsgWork, AFailedBeginForgetsTheWalkBefore) {
     EXPECT_EQ(job.finish().built.status, Status::unfinished);
 }
 
+// In begin and by the function that does all at once.
+TEST(CsgWork, WhatIsRefusedIsNamedInTheOutcome) {
+    HeapPool pool(1000);
+    const Octree tree = planted(random_grid(3, 14, three_colours), *pool);
+    CsgTree first(tree);
+    CsgTree second(tree);
+    const CsgOperand operands[] = {first, second, first};
+    CsgConversion job;
+    const Tokens malformed = {a, unite};
+    CsgOutcome outcome = convert_expression(job, malformed.data(), 2, operands, 2, CsgOptions(), nullptr);
+    EXPECT_EQ(outcome.built.status, Status::expression_invalid);
+    EXPECT_EQ(outcome.fault.status, Status::expression_invalid);
+    EXPECT_EQ(outcome.fault.token, 1U);
+
+    const Tokens good = {a, b, unite};
+    outcome = convert_expression(job, good.data(), 3, operands, 3, CsgOptions(), nullptr);
+    EXPECT_EQ(outcome.built.status, Status::operand_repeated);
+    EXPECT_EQ(outcome.fault.operand, 2U) << "not beside the one that it repeats";
+
+    CsgOptions shallow;
+    shallow.depth = 2; // the trees are of depth 3
+    outcome = convert_expression(job, good.data(), 3, operands, 2, shallow, nullptr);
+    EXPECT_EQ(outcome.built.status, Status::depth_out_of_range);
+    EXPECT_EQ(outcome.fault.operand, 0U);
+    shallow.depth = 3;
+    EXPECT_EQ(convert_expression(job, good.data(), 3, operands, 2, shallow, nullptr).built.status,
+              Status::ok);
+}
+
+// Whichever of two streams is damaged, and the first of them where both are.
+TEST(CsgWork, TheFirstStreamAtFaultIsNamed) {
+    HeapPool pool(1000);
+    const Octree tree = planted(random_grid(3, 15, three_colours), *pool);
+    const Bytes good = written(tree, StreamHeader{});
+    Bytes bad = good;
+    bad[bad.size() - 1] = static_cast<std::uint8_t>(bad[bad.size() - 1] ^ 1U); // seen at the end
+    const Tokens tokens = {a, b, unite};
+    for (unsigned damaged = 1; damaged < 4; ++damaged) {
+        CsgStream first(memory_source((damaged & 1U) != 0 ? bad.data() : good.data(), good.size()));
+        CsgStream second(memory_source((damaged & 2U) != 0 ? bad.data() : good.data(), good.size()));
+        const CsgOperand operands[] = {first, second};
+        CsgConversion job;
+        const CsgOutcome outcome =
+            convert_expression(job, tokens.data(), 3, operands, 2, CsgOptions(), &*pool);
+        EXPECT_EQ(outcome.built.status, Status::stream_payload_damaged);
+        EXPECT_EQ(outcome.fault.operand, (damaged & 1U) != 0 ? 0U : 1U);
+    }
+}
+
+TEST(CsgWork, ThePoolIsKnownToHaveRunOut) {
+    Work work(16);
+    const std::uint32_t needed = work.whole(nullptr).built.nodes_needed;
+    for (const std::uint32_t capacity : {needed - 1, needed}) {
+        HeapPool pool(capacity);
+        CsgConversion job;
+        ASSERT_EQ(work.begin(job, &*pool, work.options()).status, Status::ok);
+        EXPECT_FALSE(job.exhausted());
+        while (job.step(1)) {
+        }
+        EXPECT_EQ(job.exhausted(), capacity < needed);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

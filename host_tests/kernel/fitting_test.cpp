@@ -130,8 +130,28 @@ TEST(Fitting, EveryStepBudgetGivesTheSame) {
         Fitting job;
         ASSERT_EQ(of.begin(job, *pool), Status::ok);
         EXPECT_TRUE(job.step(0));
+        bool writing = false;
+        int depth = limit;
+        std::uint64_t visited = 0;
         while (job.step(budget)) {
             ASSERT_LE(job.decided_volume(), root_volume);
+            ASSERT_TRUE(!writing || job.writing()) << "written last";
+            ASSERT_LE(job.depth(), depth);
+            visited = job.depth() == depth && job.writing() == writing ? visited : 0; // another pass
+            ASSERT_GE(job.octants_visited(), visited);
+            writing = job.writing();
+            depth = job.depth();
+            visited = job.octants_visited();
+        }
+        EXPECT_TRUE(budget > 1000 || writing);
+        Conversion alone; // the last pass is a conversion at the depth found
+        ConvertOptions options = of.options;
+        options.depth = job.depth();
+        convert(alone, of.solid.checked(), options, of.scratch.data(), of.solid.face_count(), nullptr);
+        EXPECT_EQ(job.octants_visited(), alone.octants_visited());
+        for (int stage = 0; stage < stage_count; ++stage) {
+            EXPECT_EQ(job.stages().accepted[stage], alone.stages().accepted[stage]);
+            EXPECT_EQ(job.stages().rejected[stage], alone.stages().rejected[stage]);
         }
         EXPECT_FALSE(job.step(budget));
         const FitOutcome outcome = job.finish();

@@ -205,6 +205,22 @@ TEST(Frame, RoundTripThroughTheLattice) {
     }
 }
 
+// Points beside the lattice are mapped as well, as far as the world goes.
+TEST(Frame, TheWorldEndsAtBothEnds) {
+    for (int axis = 0; axis < 3; ++axis) {
+        Frame frame = frame_of(0, 0);
+        Point lattice = {{0, 0, 0}};
+        WorldPoint world = {{5, 6, 7}};
+        frame.origin[axis] = INT32_MIN;
+        lattice.at[axis] = -1;
+        EXPECT_EQ(to_world(frame, lattice, world), Status::point_outside_frame);
+        EXPECT_TRUE(world.at[0] == 5 && world.at[1] == 6 && world.at[2] == 7);
+        frame.origin[axis] = INT32_MIN + 1;
+        EXPECT_EQ(to_world(frame, lattice, world), Status::ok);
+        EXPECT_EQ(world.at[axis], INT32_MIN);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

@@ -232,6 +232,16 @@ TEST(Measure, EveryStepBudgetGivesTheSameSurface) {
     EXPECT_EQ(visits.size(), 1U);
 }
 
+TEST(Measure, WideNumbersDifferInEitherHalf) {
+    const Wide number = {3, 5};
+    EXPECT_TRUE(number == (Wide{3, 5}));
+    EXPECT_FALSE(number != (Wide{3, 5}));
+    for (const Wide& other : {Wide{4, 5}, Wide{3, 4}, Wide{5, 3}}) {
+        EXPECT_FALSE(number == other);
+        EXPECT_TRUE(number != other);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

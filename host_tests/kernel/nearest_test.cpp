@@ -152,6 +152,11 @@ TEST(NearestLeaf, RefusesBoxesOutOfRangeAndEmptyOnes) {
             EXPECT_EQ(found.status, Status::coordinate_out_of_range);
             EXPECT_FALSE(found.found || found.visited != 0);
         }
+        for (const std::int32_t bad : {-reach - 1, reach + 1}) { // at the high end alone: worse than empty
+            CellBox box = {{{5, 5, 5}}, {{5, 5, 5}}};
+            box.high.at[axis] = bad;
+            EXPECT_EQ(nearest_leaf(tree, box).status, Status::coordinate_out_of_range);
+        }
         CellBox box = {{{5, 5, 5}}, {{5, 5, 5}}};
         box.high.at[axis] = 4;
         EXPECT_EQ(nearest_leaf(tree, box).status, Status::box_empty);

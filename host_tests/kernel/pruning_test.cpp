@@ -232,6 +232,29 @@ TEST(Pruning, ATreeWithoutAPool) {
     }
 }
 
+// Of the black and white leaves in the last node alone, few cells are known for many nodes: no price in whole
+// cells is as low, so what the budget costs at the price found is more than all there is to lose.
+TEST(Pruning, NodesWorthLessThanACellEach) {
+    HeapPool pool(100);
+    TreeBuilder builder;
+    builder.begin(&*pool);
+    builder.leaves(0xff, 0);
+    for (int level = 1; level < max_depth; ++level) {
+        builder.open(0);
+        builder.leaves(0xff, level == max_depth - 1 ? 1 : 0);
+    }
+    for (int level = 0; level < max_depth; ++level) builder.close();
+    const Octree deep = builder.finish(max_depth).tree;
+    ASSERT_EQ(pool->used(), 19U);
+    Pruning job;
+    for (std::uint32_t budget = 0; budget <= 19; ++budget) {
+        const PruneOutcome outcome = prune(job, deep, budget, nullptr);
+        EXPECT_EQ(outcome.inner_lost, budget < 19 ? 1U : 0U);
+        EXPECT_EQ(outcome.outer_gained, 0U);
+        EXPECT_LE(outcome.above_optimum, outcome.inner_lost);
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

@@ -271,6 +271,27 @@ TEST(Ray, EndsOutsideAndKeepsItsDirection) {
     }
 }
 
+// As fractions, whatever their denominators are.
+TEST(Parameters, AreOrderedAsFractions) {
+    for (std::int32_t d = 1; d <= 6; ++d) {
+        for (std::int32_t n = 0; n <= d; ++n) {
+            for (std::int32_t e = 1; e <= 6; ++e) {
+                for (std::int32_t m = 0; m <= e; ++m) {
+                    const Parameter a = {n, d};
+                    const Parameter b = {m, e};
+                    const std::int32_t difference = n * (60 / d) - m * (60 / e);
+                    EXPECT_EQ(a < b, difference < 0);
+                    EXPECT_EQ(a == b, difference == 0);
+                    EXPECT_EQ(a != b, difference != 0);
+                }
+            }
+        }
+    }
+    const std::int32_t greatest = 1 << 30;
+    EXPECT_TRUE((Parameter{greatest - 2, greatest - 1}) < (Parameter{greatest - 1, greatest}));
+    EXPECT_FALSE((Parameter{greatest - 1, greatest}) < (Parameter{greatest - 2, greatest - 1}));
+}
+
 } // namespace
 
 } // namespace osem::tests

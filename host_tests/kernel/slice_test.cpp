@@ -290,6 +290,27 @@ TEST(Slices, ARowVisitsTheNodesOnIt) {
     }
 }
 
+// Rows of four bytes and more: runs that begin and end in any of them.
+TEST(Slices, LongRunsFillTheBytesBetween) {
+    for (const int level : {5, 6}) {
+        const DenseGrid grid = make_grid(level, [](const Point& corner, std::int32_t side) {
+            const std::int32_t pixels = root_side / side;
+            const std::int32_t x = corner.x() / side;
+            const std::int32_t y = corner.y() / side;
+            if (corner.z() / side != pixels / 2) return Colour::white;
+            return x >= y / 2 && x < pixels - y / 3 ? (y % 3 == 0 ? Colour::boundary : Colour::black)
+                                                    : Colour::white;
+        });
+        HeapPool pool(6000);
+        const Octree tree = planted(grid, *pool);
+        const Slice slice = {axis_z, root_side / 2, static_cast<std::uint8_t>(level)};
+        const Rows expected = expected_rows(grid, slice);
+        for (const Bits bits : {Bits::outer, Bits::inner, Bits::both}) {
+            expect_bitmap(tree, slice, expected, bits, 7);
+        }
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

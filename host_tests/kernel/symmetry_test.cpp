@@ -94,8 +94,20 @@ TEST(Symmetries, WhatIsNoPermutationIsNotValid) {
     EXPECT_FALSE((Symmetry{{0, 0, 2}, 0}).is_valid());
     EXPECT_FALSE((Symmetry{{0, 1, 1}, 0}).is_valid());
     EXPECT_FALSE((Symmetry{{2, 1, 2}, 0}).is_valid());
+    EXPECT_FALSE((Symmetry{{3, 0, 1}, 0}).is_valid());
+    EXPECT_FALSE((Symmetry{{0, 3, 1}, 0}).is_valid());
     EXPECT_FALSE((Symmetry{{0, 1, 3}, 0}).is_valid());
     EXPECT_FALSE((Symmetry{{0, 1, 2}, 8}).is_valid());
+}
+
+TEST(Symmetries, DifferInAnyMember) {
+    const Symmetry s = {{0, 1, 2}, 5};
+    EXPECT_TRUE(s == (Symmetry{{0, 1, 2}, 5}));
+    for (const Symmetry& other :
+         {Symmetry{{1, 1, 2}, 5}, Symmetry{{0, 2, 2}, 5}, Symmetry{{0, 1, 0}, 5}, Symmetry{{0, 1, 2}, 4}}) {
+        EXPECT_TRUE(s != other);
+        EXPECT_FALSE(s == other);
+    }
 }
 
 } // namespace
