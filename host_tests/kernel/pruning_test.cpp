@@ -176,7 +176,7 @@ TEST(Pruning, EveryStepBudgetGivesTheSame) {
     EXPECT_EQ(digests, std::vector<std::uint64_t>(digests.size(), digests[0]));
     EXPECT_EQ(visits, std::vector<std::uint64_t>(visits.size(), visits[0]));
     const std::uint64_t nodes = measure(tree).nodes;
-    EXPECT_LE(visits[0], (59 + 3 * 4) * nodes + 4 * 101);
+    EXPECT_LE(visits[0], (59 + 2 * 4) * nodes + 4 * 101);
 }
 
 // Into the operand's own pool, of every size: it fits, or the pool is as before and says what is missing.

@@ -140,7 +140,7 @@ class Pruning {
     void begin(const Octree& tree, std::uint32_t budget, NodePool* pool);
 
     /// Visits up to `nodes` nodes; false when nothing is left. Visits in all: at most
-    /// (59 + 3 depth) x nodes of the tree, and depth x nodes of the result.
+    /// (59 + 2 depth) x nodes of the tree, and depth x nodes of the result.
     bool step(std::uint32_t nodes);
 
     /// Nodes visited so far.
@@ -158,7 +158,6 @@ class Pruning {
         paid,      ///< those that the price keeps; where it keeps none, loose
         loose,     ///< as many as there is room for
         all_cheap, ///< those that a price lower by 1 keeps
-        all_paid,  ///< those that the price keeps
     };
     struct Frame {
         Node node;
@@ -171,7 +170,7 @@ class Pruning {
     void write();
     void ask(bool cheap);
     void decide();
-    void decide_favour(Rule rule, std::uint64_t kept);
+    void decide_favour(std::uint64_t kept);
     bool take_room(std::uint64_t nodes);
     void enter(const Node& node, Rule rule);
     void keep(Rule rule);

@@ -114,7 +114,7 @@ void Pruning::decide() {
     const bool as_favour = rule == Rule::loose || (rule == Rule::paid && cheap_);
     const std::uint64_t kept = appraisal_.kept();
     if (as_favour) {
-        decide_favour(rule, kept);
+        decide_favour(kept);
     } else if (kept != 0) {
         keep(rule);
     } else if (rule == Rule::paid && room_ != 0) {
@@ -126,13 +126,12 @@ void Pruning::decide() {
 
 // Keeps a child that nothing has been set aside for, as a whole where there is room, else in part: its node
 // is worth its place when some of its leaves are known. (A node without any would fold into a boundary leaf
-// if nothing below it could be kept.)
-void Pruning::decide_favour(Rule rule, std::uint64_t kept) {
+// if nothing below it could be kept.) The price itself keeps nothing below a node kept in part: a leaf of that
+// node is known and not worth the price, and no octant below holds more cells than that leaf.
+void Pruning::decide_favour(std::uint64_t kept) {
     if (kept != 0 && take_room(kept)) {
-        keep(cheap_ ? Rule::all_cheap : Rule::all_paid);
-    } else if (kept != 0 && cheap_ && rule == Rule::loose) {
-        ask(false);
-    } else if ((kept != 0 || !cheap_) && has_known_leaf(child()) && take_room(1)) {
+        keep(Rule::all_cheap);
+    } else if (kept != 0 && has_known_leaf(child()) && take_room(1)) {
         keep(Rule::loose);
     } else {
         give_up();
