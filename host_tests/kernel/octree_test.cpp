@@ -265,7 +265,7 @@ TEST(Lattice, ChildrenAndParents) {
 
 TEST(Status, EveryStatusHasItsOwnPhrase) {
     std::set<std::string> phrases;
-    const int last = static_cast<int>(Status::symmetry_invalid);
+    const int last = static_cast<int>(Status::operand_repeated);
     for (int status = 0; status <= last; ++status) phrases.insert(describe(static_cast<Status>(status)));
     EXPECT_EQ(phrases.size(), static_cast<std::size_t>(last) + 1);
     EXPECT_EQ(phrases.count(describe(static_cast<Status>(255))), 0U);

@@ -15,6 +15,7 @@ struct PartTable {
     std::uint8_t high[parts];   // axes along which it is on the high side
 };
 
+// unreachable: at run time, as the compiler makes the table.
 constexpr PartTable make_parts() {
     PartTable table = {};
     for (unsigned part = 0; part < parts; ++part) {
