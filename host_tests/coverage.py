@@ -137,25 +137,40 @@ def main():
             if outcome.covered:
                 count[0] += 1
                 continue
-            place = f"{name}:{outcome.line}:{outcome.column}: {outcome.kind}: {outcome.text}"
             if mark is None:
-                open_places.append(place)
+                open_places.append((name, outcome))
             else:
                 used.add(mark)
                 count[1] += 1
-                marked_places.append(place)
-        faults += [f"{name}:{mark}: marked, but covered" for mark in marks if mark not in used]
+                marked_places.append((name, outcome))
+        faults += [(name, Outcome("mark", mark, 1, "all is covered", False)) for mark in marks if mark not in used]
         if path.endswith(".cpp") and counts["line"][2] == 0:
-            faults.append(f"{name}: not in the program")
+            faults.append((name, Outcome("file", 1, 1, "not in the program", False)))
         for kind in kinds:
             totals[kind] = [a + b for a, b in zip(totals[kind], counts[kind])]
         print_row(name[len("kernel/"):], counts)
     print_row("all", totals)
-    for title, places in (("marked unreachable", marked_places), ("not covered", open_places), ("faults", faults)):
-        if places:
-            print(f"\n{title}: {len(places)}", *places, sep="\n")
+    print_places("marked unreachable", marked_places)
+    print_places("not covered", open_places)
+    print_places("faults", faults)
     if options.check and (open_places or faults):
         sys.exit(1)
+
+
+def print_places(title, places):
+    """Lines one behind the other are one place."""
+    rows = []
+    for name, outcome in places:
+        before = rows[-1] if rows else ["", 0, 0, outcome]
+        if outcome.kind == before[3].kind == "line" and (before[0], before[2] + 1) == (name, outcome.line):
+            before[2] = outcome.line
+        else:
+            rows.append([name, outcome.line, outcome.line, outcome])
+    if rows:
+        print(f"\n{title}: {len(places)}")
+    for name, first, last, outcome in rows:
+        lines = f"{first}-{last}" if last > first else f"{first}:{outcome.column}"
+        print(f"{name}:{lines}: {outcome.kind}: {outcome.text}")
 
 
 def print_row(name, counts):
