@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""Shows that the kernel's tests see small bugs: plants those of mutations.py, one at a time, and runs the tests.
+
+    mutate.py [--only WORD] [--jobs N] [--build DIR]
+
+A bug is planted in a copy of its file, which is compiled in the file's place; what includes it is compiled anew, and all
+else is linked as it is. The tests of the bug's own subject run first, up to the first failure. Prints which test saw each
+bug. Fails if one was not seen, or if the text to be changed does not stand in its file exactly once.
+"""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+from mutations import MUTATIONS, SUITES
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+KERNEL = ROOT / "kernel"
+FLAGS = ["-std=c++17", "-O1", "-DOSEM_FAST_CRC=1", f"-I{ROOT}/host_tests", f"-I{KERNEL}/src", f"-I{KERNEL}/include"]
+LIBRARIES = ["-lgtest_main", "-lgtest", "-pthread"]
+COMPILER = os.environ.get("CXX", "g++").split()
+TIME_LIMIT = 120  # seconds; the tests take a fraction of it
+MEMORY = 2 << 30  # bytes, for bugs that fill it
+
+
+def sources():
+    cmake = (ROOT / "host_tests/kernel/CMakeLists.txt").read_text()
+    names = re.search(r"add_executable\(osem_kernel_tests([^)]*)\)", cmake)[1].split()
+    tests = [(ROOT / "host_tests/kernel" / name).resolve() for name in names]
+    return sorted(KERNEL.rglob("*.cpp")) + tests
+
+
+def compile_file(source, target, includes=()):
+    """The error, if there is one. What the object depends on is noted beside it."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    command = [*COMPILER, *includes, *FLAGS, "-MMD", "-MF", f"{target}.d", "-c", str(source), "-o", str(target)]
+    return subprocess.run(command, capture_output=True, text=True).stderr
+
+
+def dependencies(target):
+    text = pathlib.Path(f"{target}.d").read_text().replace("\\\n", " ").split(":", 1)[1]
+    return {os.path.abspath(name) for name in text.split()}
+
+
+def is_current(target):
+    if not target.exists() or not pathlib.Path(f"{target}.d").exists():
+        return False
+    made = target.stat().st_mtime
+    return all(os.path.exists(name) and os.path.getmtime(name) <= made for name in dependencies(target))
+
+
+class Program:
+    """The kernel and its tests as they are, one object a file."""
+
+    def __init__(self, build, pool):
+        self.objects = {source: build / "objects" / f"{source.relative_to(ROOT)}.o" for source in sources()}
+        stale = [(s, t) for s, t in self.objects.items() if not is_current(t)]
+        for error in pool.map(lambda item: compile_file(*item), stale):
+            if error:
+                sys.exit(error)
+        self.depends = {source: dependencies(target) for source, target in self.objects.items()}
+
+    def link(self, program, replaced=None):
+        replaced = replaced or {}
+        objects = [str(replaced.get(source, target)) for source, target in self.objects.items()]
+        command = [*COMPILER, *objects, *LIBRARIES, "-o", str(program)]
+        return subprocess.run(command, capture_output=True, text=True).stderr
+
+
+def run_tests(program, pattern):
+    """The test that fails, or how the program ends; None when all is well."""
+    command = ["prlimit", f"--as={MEMORY}", str(program), "--gtest_fail_fast", f"--gtest_filter={pattern}"]
+    try:
+        run = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=TIME_LIMIT)
+        output, code = run.stdout, run.returncode
+    except subprocess.TimeoutExpired as late:
+        output, code = (late.stdout or b"").decode(errors="replace"), "no end"
+    if code == 0:
+        return None
+    failed = re.search(r"^\[  FAILED  \] ([\w.]+)", output, re.MULTILINE)
+    if failed:
+        return failed[1]
+    begun = re.findall(r"^\[ RUN      \] ([\w.]+)", output, re.MULTILINE)
+    return f"{begun[-1] if begun else 'start'} ({code if code == 'no end' else 'crash'})"
+
+
+class Planted:
+    """One bug: found, planted, built and looked for."""
+
+    def __init__(self, number, mutation):
+        self.number = number
+        self.name, self.find, self.replacement, self.reason = mutation
+        self.file = next((p for p in (KERNEL / "src" / self.name, KERNEL / "include" / self.name) if p.exists()), None)
+        self.text = self.file.read_text() if self.file else ""
+        self.killer = None
+        self.fault = None if self.text.count(self.find) == 1 else "the text does not stand there exactly once"
+        self.seconds = 0.0
+
+    def look(self, program, build):
+        began = time.monotonic()
+        folder = build / f"{self.number}"
+        shutil.rmtree(folder, ignore_errors=True)
+        try:
+            self.fault = self.build(program, folder) or None
+            if not self.fault:
+                suites = SUITES[self.name.split("/")[0]] if "include" not in self.file.parts else SUITES["osem"]
+                self.killer = run_tests(folder / "tests", suites) or run_tests(folder / "tests", f"-{suites}")
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+        self.seconds = time.monotonic() - began
+        return self
+
+    def build(self, program, folder):
+        overlay = folder / "overlay"
+        copy = overlay / self.name
+        copy.parent.mkdir(parents=True)
+        copy.write_text(self.text.replace(self.find, self.replacement))
+        replaced = {}
+        for source, depends in program.depends.items():
+            if str(self.file) not in depends:
+                continue
+            replaced[source] = folder / f"{len(replaced)}.o"
+            error = compile_file(copy if source == self.file else source, replaced[source], [f"-I{overlay}"])
+            if error:
+                return "does not compile:\n" + error
+        return program.link(folder / "tests", replaced) if replaced else "nothing is compiled from it"
+
+    def row(self):
+        line = self.text[: self.text.find(self.find)].count("\n") + 1
+        seen = self.fault or self.killer or "SURVIVES"
+        return f"{self.name + ':' + str(line):<34} {self.reason:<58} {seen:<62} {self.seconds:5.1f} s"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", default="", help="bugs whose file or reason holds this")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutation")
+    options = parser.parse_args()
+    planted = [Planted(n, m) for n, m in enumerate(MUTATIONS) if options.only in m[0] or options.only in m[3]]
+    sound = [p for p in planted if not p.fault]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        program = Program(options.build, pool)
+        whole = options.build / "tests"
+        error = program.link(whole)
+        if error or run_tests(whole, "*"):
+            sys.exit(error or "the tests fail before anything is planted")
+        for bug in planted:
+            if bug.fault:
+                print(bug.row())
+        for bug in pool.map(lambda p: p.look(program, options.build), sound):
+            print(bug.row(), flush=True)
+    unseen = [p for p in planted if p.fault or not p.killer]
+    print(f"\n{len(planted) - len(unseen)} of {len(planted)} planted bugs were seen")
+    sys.exit(1 if unseen else 0)
+
+
+if __name__ == "__main__":
+    main()
