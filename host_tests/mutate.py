@@ -3,9 +3,10 @@
 
     mutate.py [--only WORD] [--jobs N] [--build DIR]
 
-A bug is planted in a copy of its file, which is compiled in the file's place; what includes it is compiled anew, and all
-else is linked as it is. The tests of the bug's own subject run first, up to the first failure. Prints which test saw each
-bug. Fails if one was not seen, or if the text to be changed does not stand in its file exactly once.
+The kernel and its tests are copied first, and compiled there. A bug is planted in one more copy of its file, which is
+compiled in the file's place; what includes it is compiled anew, and all else is linked as it is. The tests of the bug's
+own subject run first, up to the first failure. Prints which test saw each bug. Fails if one was not seen, or if the text
+to be changed does not stand in its file exactly once.
 """
 import argparse
 import concurrent.futures
@@ -19,27 +20,27 @@ import time
 
 from mutations import MUTATIONS, SUITES
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-KERNEL = ROOT / "kernel"
-FLAGS = ["-std=c++17", "-O1", "-DOSEM_FAST_CRC=1", f"-I{ROOT}/host_tests", f"-I{KERNEL}/src", f"-I{KERNEL}/include"]
+PROJECT = pathlib.Path(__file__).resolve().parent.parent
+FOLDERS = ("kernel", "host_tests/kernel", "host_tests/support")
+FLAGS = ["-std=c++17", "-O1", "-DOSEM_FAST_CRC=1"]
 LIBRARIES = ["-lgtest_main", "-lgtest", "-pthread"]
 COMPILER = os.environ.get("CXX", "g++").split()
 TIME_LIMIT = 120  # seconds; the tests take a fraction of it
 MEMORY = 2 << 30  # bytes, for bugs that fill it
 
 
-def sources():
-    cmake = (ROOT / "host_tests/kernel/CMakeLists.txt").read_text()
+def copy_tree(tree):
+    """With the files' times, so that what is compiled already stays so."""
+    for folder in FOLDERS:
+        shutil.rmtree(tree / folder, ignore_errors=True)
+        shutil.copytree(PROJECT / folder, tree / folder)
+
+
+def sources(tree):
+    cmake = (tree / "host_tests/kernel/CMakeLists.txt").read_text()
     names = re.search(r"add_executable\(osem_kernel_tests([^)]*)\)", cmake)[1].split()
-    tests = [(ROOT / "host_tests/kernel" / name).resolve() for name in names]
-    return sorted(KERNEL.rglob("*.cpp")) + tests
-
-
-def compile_file(source, target, includes=()):
-    """The error, if there is one. What the object depends on is noted beside it."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    command = [*COMPILER, *includes, *FLAGS, "-MMD", "-MF", f"{target}.d", "-c", str(source), "-o", str(target)]
-    return subprocess.run(command, capture_output=True, text=True).stderr
+    tests = [(tree / "host_tests/kernel" / name).resolve() for name in names]
+    return sorted((tree / "kernel").rglob("*.cpp")) + tests
 
 
 def dependencies(target):
@@ -58,12 +59,23 @@ class Program:
     """The kernel and its tests as they are, one object a file."""
 
     def __init__(self, build, pool):
-        self.objects = {source: build / "objects" / f"{source.relative_to(ROOT)}.o" for source in sources()}
+        self.build = build
+        self.tree = build / "tree"
+        copy_tree(self.tree)
+        self.objects = {s: build / "objects" / f"{s.relative_to(self.tree)}.o" for s in sources(self.tree)}
         stale = [(s, t) for s, t in self.objects.items() if not is_current(t)]
-        for error in pool.map(lambda item: compile_file(*item), stale):
+        for error in pool.map(lambda item: self.compile(*item), stale):
             if error:
                 sys.exit(error)
         self.depends = {source: dependencies(target) for source, target in self.objects.items()}
+
+    def compile(self, source, target, *first_includes):
+        """The error, if there is one. What the object depends on is noted beside it."""
+        target.parent.mkdir(parents=True, exist_ok=True)
+        includes = [*first_includes, *(self.tree / f for f in ("host_tests", "kernel/src", "kernel/include"))]
+        command = [*COMPILER, *(f"-I{i}" for i in includes), *FLAGS, "-MMD", "-MF", f"{target}.d", "-c", str(source),
+                   "-o", str(target)]
+        return subprocess.run(command, capture_output=True, text=True).stderr
 
     def link(self, program, replaced=None):
         replaced = replaced or {}
@@ -92,23 +104,24 @@ def run_tests(program, pattern):
 class Planted:
     """One bug: found, planted, built and looked for."""
 
-    def __init__(self, number, mutation):
+    def __init__(self, number, mutation, tree):
         self.number = number
         self.name, self.find, self.replacement, self.reason = mutation
-        self.file = next((p for p in (KERNEL / "src" / self.name, KERNEL / "include" / self.name) if p.exists()), None)
+        places = (tree / "kernel/src" / self.name, tree / "kernel/include" / self.name)
+        self.file = next((p for p in places if p.exists()), None)
         self.text = self.file.read_text() if self.file else ""
         self.killer = None
         self.fault = None if self.text.count(self.find) == 1 else "the text does not stand there exactly once"
         self.seconds = 0.0
 
-    def look(self, program, build):
+    def look(self, program):
         began = time.monotonic()
-        folder = build / f"{self.number}"
+        folder = program.build / f"{self.number}"
         shutil.rmtree(folder, ignore_errors=True)
         try:
             self.fault = self.build(program, folder) or None
             if not self.fault:
-                suites = SUITES[self.name.split("/")[0]] if "include" not in self.file.parts else SUITES["osem"]
+                suites = SUITES[self.name.split("/")[0]]
                 self.killer = run_tests(folder / "tests", suites) or run_tests(folder / "tests", f"-{suites}")
         finally:
             shutil.rmtree(folder, ignore_errors=True)
@@ -125,7 +138,7 @@ class Planted:
             if str(self.file) not in depends:
                 continue
             replaced[source] = folder / f"{len(replaced)}.o"
-            error = compile_file(copy if source == self.file else source, replaced[source], [f"-I{overlay}"])
+            error = program.compile(copy if source == self.file else source, replaced[source], overlay)
             if error:
                 return "does not compile:\n" + error
         return program.link(folder / "tests", replaced) if replaced else "nothing is compiled from it"
@@ -140,20 +153,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="bugs whose file or reason holds this")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutation")
+    parser.add_argument("--build", type=pathlib.Path, default=PROJECT / "build/mutation")
     options = parser.parse_args()
-    planted = [Planted(n, m) for n, m in enumerate(MUTATIONS) if options.only in m[0] or options.only in m[3]]
-    sound = [p for p in planted if not p.fault]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        program = Program(options.build, pool)
-        whole = options.build / "tests"
+        program = Program(options.build.resolve(), pool)
+        chosen = [(n, m) for n, m in enumerate(MUTATIONS) if options.only in m[0] or options.only in m[3]]
+        planted = [Planted(n, m, program.tree) for n, m in chosen]
+        whole = program.build / "tests"
         error = program.link(whole)
         if error or run_tests(whole, "*"):
             sys.exit(error or "the tests fail before anything is planted")
-        for bug in planted:
-            if bug.fault:
-                print(bug.row())
-        for bug in pool.map(lambda p: p.look(program, options.build), sound):
+        for bug in pool.map(lambda p: p if p.fault else p.look(program), planted):
             print(bug.row(), flush=True)
     unseen = [p for p in planted if p.fault or not p.killer]
     print(f"\n{len(planted) - len(unseen)} of {len(planted)} planted bugs were seen")
