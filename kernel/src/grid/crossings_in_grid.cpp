@@ -144,7 +144,7 @@ void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange&
         std::int32_t winding = 0;
         for (int u = 0; u <= along_u.last; ++u) {
             winding += change[u];
-            if (winding != 0 && u >= along_u.first) passages.add(row, {u, u}, winding);
+            if (winding != 0) passages.add(row, {u, u}, winding);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "grid/face_in_grid.hpp"
 #include "grid/leaves.hpp"
 #include "tree/masks.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -253,8 +254,7 @@ TreeOutcome convert(GridConversion& job, const CheckedSolid& solid, const Conver
                     const GridOptions& grids) {
     const Status status = job.begin(solid, options, scratch, scratch_size, pool, grids);
     if (status != Status::ok) return {status, 0, 0, Octree{pool, Node::uniform(Colour::white), 1}};
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

@@ -32,7 +32,6 @@ class RowWindings {
     /// nothing may be added.
     bool overflowed() const { return overflowed_; }
     std::uint32_t words_used() const { return (planes_ + 1) * rows_; }
-    std::uint32_t rows() const { return rows_; }
 
     /// The first number of a row differs from the one before it by so much more.
     void change_first(int row, std::int32_t by) {

@@ -55,6 +55,7 @@ constexpr unsigned lowest_bit(unsigned bits) {
 #endif
 }
 
+// unreachable: at run time, as the compiler asks.
 constexpr bool numbers_are_right() {
     for (unsigned number = 0; number <= 16; number += 2) {
         if (plain_lowest_bit(1U << number) != number) return false;

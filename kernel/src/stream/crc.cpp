@@ -8,6 +8,7 @@ namespace osem {
 namespace {
 
 // A remainder's lowest `bits` bits are shifted out: what that leaves of them.
+// unreachable: at run time, as the compiler makes the table.
 constexpr std::uint32_t shifted_out(std::uint32_t remainder, unsigned bits) {
     for (; bits > 0; --bits) remainder = (remainder >> 1) ^ ((remainder & 1U) != 0 ? 0xedb88320U : 0U);
     return remainder;
@@ -20,6 +21,7 @@ struct Table {
     std::uint32_t entries[8][256];
 };
 
+// unreachable: at run time, as the compiler makes the table.
 constexpr Table make_table() {
     Table table = {};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
@@ -50,6 +52,7 @@ struct Table {
     std::uint32_t entries[16];
 };
 
+// unreachable: at run time, as the compiler makes the table.
 constexpr Table make_table() {
     Table table = {};
     for (std::uint32_t bits = 0; bits < 16; ++bits) table.entries[bits] = shifted_out(bits, 4);

