@@ -1,9 +1,13 @@
 // Conversion by grids: the trees of divide and conquer, node for node at the same places, whatever the solid.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
+#include "geometry/plane.hpp"
+#include "osem/classify.hpp"
 #include "osem/grid_convert.hpp"
+#include "osem/query.hpp"
 #include "support/heap_pool.hpp"
 #include "support/small_solids.hpp"
 
@@ -388,6 +392,126 @@ TEST(GridConversion, Refusals) {
     EXPECT_EQ(job.finish().status, Status::unfinished);
     EXPECT_EQ(scratch.run(job, solid, ConvertOptions{20, LeafRule::centre}, nullptr).status,
               Status::depth_out_of_range);
+}
+
+// Lists longer than all that lies behind a grid: where one does not fit, nothing else has been refused
+// before.
+TEST(GridConversion, ScratchForLongLists) {
+    SmallSolid solid;
+    for (std::int32_t radius = 9; radius < 15; ++radius) {
+        solid.add(octahedron_solid(Octahedron{{{700001, 100003, 400005}}, 1000 * radius}));
+    }
+    const ConvertOptions options = {9};
+    HeapPool expected(20000);
+    const TreeOutcome divided = converted(solid, options, &*expected);
+    HeapPool pool(divided.nodes_needed + 3);
+    pool.fill_to(3);
+    const PoolImage before(pool);
+    GridConversion job;
+    Words enough(grid_scratch(solid.view(), 9, 1));
+    ASSERT_EQ(enough.run(job, solid, options, nullptr, 1).status, Status::ok);
+    const std::uint32_t used = job.scratch_used();
+    ASSERT_GT(used, 6 * solid.face_count() + 64);
+    for (std::uint32_t size = 3 * solid.face_count(); size < used; size += 5) {
+        Words scratch(size);
+        ASSERT_EQ(scratch.run(job, solid, options, &*pool, 1).status, Status::scratch_too_small) << size;
+        ASSERT_TRUE(before.same_nodes(pool));
+    }
+    Words exact(used);
+    const TreeOutcome outcome = exact.run(job, solid, options, &*pool, 1);
+    ASSERT_EQ(outcome.status, Status::ok);
+    EXPECT_TRUE(same_leaves(outcome.tree, divided.tree));
+}
+
+TEST(GridConversion, TheCountGrowsToTheNodesNeededAndThePoolIsKnownToHaveRunOut) {
+    const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
+    const ConvertOptions options = {5};
+    Words scratch(grid_scratch(solid.view(), 5, 2));
+    GridConversion job;
+    const std::uint32_t needed = scratch.run(job, solid, options, nullptr, 2).nodes_needed;
+    for (const std::uint32_t capacity : {needed / 2, needed}) {
+        HeapPool pool(capacity);
+        ASSERT_EQ(scratch.begin(job, solid, options, &*pool, 2), Status::ok);
+        std::uint32_t counted = 0;
+        bool exhausted = false;
+        for (bool more = true; more;) {
+            more = job.step(1);
+            EXPECT_GE(job.nodes_counted(), counted);
+            EXPECT_TRUE(job.exhausted() || !exhausted);
+            EXPECT_TRUE(job.exhausted() || job.nodes_counted() <= capacity);
+            counted = job.nodes_counted();
+            exhausted = job.exhausted();
+        }
+        EXPECT_EQ(counted, needed);
+        EXPECT_EQ(exhausted, capacity < needed);
+        EXPECT_EQ(job.finish().status, capacity < needed ? Status::pool_exhausted : Status::ok);
+    }
+}
+
+// Grids of cells of side 64 and 2 that lie somewhere on a tetrahedron as large as the root, so that its edges
+// run far past them. Each leaf is what the stages say of it; where no face meets, it lies inside if its
+// centre is on the same side of each face as the corner across.
+TEST(GridConversion, SmallGridsOnLargeFaces) {
+    const Point corners[4] = {{{3, 5, 1}},
+                              {{root_side - 7, 70001, 90007}},
+                              {{50021, root_side - 2, 130003}},
+                              {{210001, 170003, root_side - 1}}};
+    SmallSolid solid;
+    for (const auto& [a, b, c] :
+         {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{0, 3, 2}}) {
+        solid.add_face({{corners[a], corners[b], corners[c]}});
+    }
+    constexpr int across[4] = {3, 2, 0, 1};
+    const CheckedSolid checked = solid.checked();
+    std::mt19937 random(3);
+    for (const int level : {9, 14}) {
+        for (int round = 0; round < 12; ++round) {
+            // Around a point of a face: a mean of its corners.
+            const auto& face = solid.faces()[static_cast<std::size_t>(round % 4)][0];
+            const std::int64_t weights[2] = {static_cast<std::int64_t>(random() % 100),
+                                             static_cast<std::int64_t>(random() % 100)};
+            Octant octant = {{}, static_cast<std::uint8_t>(level)};
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                const std::int64_t sum = face[0].at[axis] * (200 - weights[0] - weights[1]) +
+                                         face[1].at[axis] * weights[0] + face[2].at[axis] * weights[1];
+                octant.corner.at[axis] = static_cast<std::int32_t>(sum / 200) & -octant.side();
+            }
+            const ConvertOptions options = {level + 5};
+            HeapPool pool(20000);
+            Words scratch(grid_scratch(solid.view(), options.depth));
+            GridConversion job;
+            ASSERT_EQ(job.begin(checked, options, scratch.words.data(), scratch.size(), &*pool,
+                                {most_grid_levels, octant}),
+                      Status::ok);
+            while (job.step(1000)) {
+            }
+            const Octree tree = job.finish().tree; // the octant is its root
+            std::uint32_t on_surface = 0;
+            for (std::uint32_t cell = 0; cell < 32 * 32 * 32; ++cell) {
+                const std::uint32_t at[3] = {cell & 31U, cell >> 5 & 31U, cell >> 10};
+                Octant leaf = {octant.corner, static_cast<std::uint8_t>(options.depth)};
+                Point centre = {};
+                Point place = {};
+                for (unsigned axis = 0; axis < 3; ++axis) {
+                    leaf.corner.at[axis] += static_cast<std::int32_t>(at[axis]) * leaf.side();
+                    centre.at[axis] = leaf.corner.at[axis] + leaf.side() / 2;
+                    place.at[axis] = static_cast<std::int32_t>(at[axis]) * (root_side / 32);
+                }
+                bool meets = false;
+                bool inside = true;
+                for (std::uint32_t f = 0; f < 4; ++f) {
+                    meets = meets || classify(checked, f, leaf).meets;
+                    const Plane plane(checked.view(), f);
+                    inside = inside && plane.at(centre).sign() == plane.at(corners[across[f]]).sign();
+                }
+                const Colour expected = meets ? Colour::boundary : inside ? Colour::black : Colour::white;
+                ASSERT_EQ(leaf_at(tree, place).leaf.colour, expected)
+                    << "level " << level << ", cell " << cell;
+                on_surface += meets ? 1U : 0U;
+            }
+            EXPECT_GT(on_surface, 0U);
+        }
+    }
 }
 
 } // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <unordered_map>
+
 #include "support/byte_stream.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
@@ -259,6 +262,51 @@ TEST(StreamBoolean, ASourceThatChangesBetweenThePassesIsNamed) {
     ChangingSource changing = {before, after};
     TestSink to;
     EXPECT_EQ(complement(job, changing.source(), to.sink()).status, Status::source_failed);
+}
+
+// Streams of 9 nodes whose payloads have one checksum, found among so many that there are some. An octant's
+// first cell decides whether it becomes a black leaf in a union with `all_but_first`.
+struct Twins {
+    Bytes first;
+    Bytes second;
+};
+
+std::size_t black_first_cells(const DenseGrid& grid) {
+    std::size_t found = 0;
+    for (std::size_t octant = 0; octant < 8; ++octant) found += grid[8 * octant] == Colour::black ? 1U : 0U;
+    return found;
+}
+
+Twins find_twins() {
+    std::mt19937 random(5);
+    std::unordered_map<std::uint32_t, DenseGrid> seen;
+    for (;;) {
+        DenseGrid grid(2);
+        for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+            // The last cell of an octant is none of the others' colours: so none is of one colour.
+            grid[cell] = cell % 8 == 7 ? Colour::boundary : random() % 2 == 0 ? Colour::white : Colour::black;
+        }
+        const Bytes payload = StreamModel(2, preorder_masks(grid)).payload;
+        const auto [place, is_new] = seen.try_emplace(plain_crc(payload.data(), payload.size()), grid);
+        if (is_new || black_first_cells(place->second) == black_first_cells(grid)) continue;
+        return {stream_of(place->second), stream_of(grid)};
+    }
+}
+
+// A change that keeps the checksum is seen by the nodes of the result, if at all; the first operand is named.
+TEST(StreamBoolean, AChangeThatKeepsTheChecksumIsSeenByTheResult) {
+    const Twins twins = find_twins();
+    ASSERT_NE(twins.first, twins.second);
+    DenseGrid all_but_first(2, Colour::black);
+    for (std::size_t octant = 0; octant < 8; ++octant) all_but_first[8 * octant] = Colour::white;
+    const Bytes other = stream_of(all_but_first);
+    ChangingSource changing = {twins.first, twins.second};
+    StreamCombination job;
+    TestSink to;
+    const StreamCombinationOutcome outcome =
+        combine(job, Operator::unite, changing.source(), source_of(other), to.sink());
+    EXPECT_EQ(outcome.status, Status::source_failed);
+    EXPECT_EQ(outcome.operand, 0U);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "osem/stream_builder.hpp"
 #include "stream/crc.hpp"
 #include "support/byte_stream.hpp"
 #include "support/dense_grid.hpp"
@@ -212,6 +213,26 @@ TEST(Stream, ASinkMayRefuseEveryWrite) {
             EXPECT_EQ(sink.writes, at);
         }
     }
+}
+
+// The parts of a writer's work that a caller may do by hand.
+TEST(Stream, ABuilderKnowsWhereItIs) {
+    StreamBuilder builder;
+    builder.begin();
+    EXPECT_EQ(builder.level(), 0);
+    EXPECT_FALSE(builder.whole());
+    builder.open();
+    EXPECT_EQ(builder.level(), 1);
+    builder.open();
+    EXPECT_EQ(builder.level(), 2);
+    for (unsigned k = 0; k < 8; ++k) builder.leaf(k == 3 ? Colour::black : Colour::white);
+    EXPECT_EQ(builder.level(), 1);
+    EXPECT_FALSE(builder.whole());
+    EXPECT_EQ(builder.finish(), Status::unfinished);
+    for (unsigned k = 1; k < 8; ++k) builder.leaf(Colour::boundary);
+    EXPECT_TRUE(builder.whole());
+    EXPECT_EQ(builder.nodes(), 2U);
+    EXPECT_EQ(builder.finish(), Status::ok) << "a count needs no sink";
 }
 
 } // namespace
