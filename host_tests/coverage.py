@@ -4,7 +4,8 @@
     coverage.py [--check] ROOT PROFILE PROGRAM
 
 A template or inline function that stands in the program several times counts once: a line, a branch's outcome or a
-condition is covered if it is so in any of its instances. What the compiler decides counts for nothing.
+condition is covered if it is so in any of its instances. What the compiler decides counts for nothing, and neither do
+contract checks (OSEM_ASSERT), which are code in a build with sanitizers alone and whose other side is a trap.
 
 Code that no test can reach says so, and why:
 
@@ -76,11 +77,16 @@ def outcomes_of(source, listing, branches):
     texts = {}
     for line, run in lines.items():
         yield Outcome("line", line, 1, "never run", run)
+    checks = {number for number, line in enumerate(source, 1) if "OSEM_ASSERT(" in line}
     for place, found in branches.items():
+        if place[0] in checks:
+            continue
         texts[place[:2]] = min(text_of(source, *place), texts.get(place[:2], " " * 1000), key=len)
         for was, value in zip(found, ("true", "false")):
             yield Outcome("branch", *place[:2], f"`{text_of(source, *place)}` is never {value}", was)
     for place, shown in decisions.items():
+        if place[0] in checks:
+            continue
         yield Outcome("MC/DC", *place, f"`{texts[place]}` never decides alone", shown)
 
 

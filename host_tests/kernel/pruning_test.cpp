@@ -255,6 +255,25 @@ TEST(Pruning, NodesWorthLessThanACellEach) {
     }
 }
 
+// Eight octants of one node each, as much known in each: no price keeps some of them, so all that is kept is
+// what the room left over goes to, the first ones in Morton order, down to the last node of the budget.
+TEST(Pruning, RoomLeftOverIsUsedToTheLastNode) {
+    DenseGrid grid(2, Colour::boundary);
+    for (std::size_t octant = 0; octant < 8; ++octant) grid[8 * octant + octant] = Colour::black;
+    HeapPool source(100);
+    const Octree tree = planted(grid, *source);
+    Pruning job;
+    for (std::uint32_t budget = 0; budget <= 8; ++budget) {
+        const PruneOutcome outcome = prune(job, tree, budget, &*source);
+        EXPECT_EQ(outcome.built.nodes_needed, budget);
+        EXPECT_EQ(outcome.inner_lost, (8 - budget) * volume_at(2));
+        EXPECT_EQ(outcome.above_optimum, 0U);
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            EXPECT_EQ(outcome.built.tree.top.colour(octant) == Colour::grey, octant < budget);
+        }
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests

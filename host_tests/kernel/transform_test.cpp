@@ -126,7 +126,8 @@ TEST(Translations, AtACoarserDepthMixedOctantsBecomeBoundaryIfThatIsWanted) {
         HeapPool pool(20000);
         const Octree tree = planted(grid, *pool);
         Placement placement;
-        placement.by = random_vector(random, 5, 7);
+        // Some are a multiple of large octants' sides, over which whole subtrees come to lie.
+        placement.by = seed % 2 == 0 ? random_vector(random, 5, 7) : random_vector(random, 2, 2);
         placement.cut_at_root = true;
         if (seed % 3 == 0) placement.keep = random_box(random, 4);
         const int exact = placed_depth(grid.depth(), placement);
