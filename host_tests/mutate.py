@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Shows that the kernel's tests see small bugs: plants those of mutations.py, one at a time, and runs the tests.
 
-    mutate.py [--only WORD] [--jobs N] [--build DIR]
+    mutate.py [--only EXPRESSION] [--jobs N] [--build DIR]
 
 The kernel and its tests are copied first, and compiled there. A bug is planted in one more copy of its file, which is
 compiled in the file's place; what includes it is compiled anew, and all else is linked as it is. The tests of the bug's
@@ -160,13 +160,13 @@ class Planted:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default="", help="bugs whose file or reason holds this")
+    parser.add_argument("--only", default="", help="bugs whose file and reason match this expression")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--build", type=pathlib.Path, default=PROJECT / "build/mutation")
     options = parser.parse_args()
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         program = Program(options.build.resolve(), pool)
-        chosen = [(n, m) for n, m in enumerate(MUTATIONS) if options.only in m[0] or options.only in m[3]]
+        chosen = [(n, m) for n, m in enumerate(MUTATIONS) if re.search(options.only, f"{m[0]} {m[3]}")]
         planted = [Planted(n, m, program.tree) for n, m in chosen]
         fault = program.check()
         if fault:

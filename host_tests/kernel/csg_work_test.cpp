@@ -65,6 +65,10 @@ TEST(CsgExpression, RefusesWhatIsNotWellFormedAndSaysWhere) {
 
 TEST(CsgExpression, RefusesWhatIsPastTheBounds) {
     EXPECT_EQ(verdict_on(long_sum(csg_most_tokens - 1), 1).status, Status::ok);
+    Tokens longest = long_sum(csg_most_tokens - 1);
+    longest.push_back(complement_token);
+    ASSERT_EQ(longest.size(), csg_most_tokens);
+    EXPECT_EQ(verdict_on(longest, 1).status, Status::ok);
     expect_refused(long_sum(csg_most_tokens + 1), 1, Status::expression_too_large, csg_most_tokens);
     expect_refused({a}, csg_most_operands + 1, Status::expression_too_large, 1);
     Tokens repeats = {a};
