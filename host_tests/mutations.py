@@ -131,8 +131,8 @@ MUTATIONS = [
      "certified black that is mixed"),
     ("transform/scale.cpp", "depth < 1 ? 1 : depth", "depth", "a tree of no depth"),
     ("transform/scale.cpp", "        pool.roll_back(mark);\n", "", "nodes left behind in a full pool"),
-    ("transform/reorientation.cpp", "image_of(symmetry_, blacks(node))", "image_of(symmetry_, node.must)",
-     "grey children are leaves as well"),
+    ("transform/reorientation.cpp", "symmetry_.child(child));", "child);",
+     "grey children stay where they are"),
     # slice
     ("slice/slicing.cpp", "0xffU << (7 - last % 8)", "0xffU << (8 - last % 8)", "a run's last pixel"),
     ("slice/slicing.cpp", "while (++byte < last / 8)", "while (++byte <= last / 8)", "a run's last byte full"),
@@ -187,8 +187,7 @@ MUTATIONS = [
     ("grid/grid_convert.cpp", "grids.octant.level >= options.depth", "grids.octant.level > options.depth",
      "an octant at the depth itself"),
     ("grid/face_in_grid.cpp", "exactly ? from : from - 1", "from - 1", "a left end on a line of the grid"),
-    ("grid/face_in_grid.cpp", "return turns == 4 || turns == -4;", "return turns >= 3 || turns <= -3;",
-     "quadrangles with a straight corner"),
-    ("grid/row_windings.cpp", "from + 1 >= planes_", "from + 1 > planes_", "large numbers in too few planes"),
+    ("grid/face_in_grid.cpp", "return turns == 4 || turns == -4;", "return turns != 0;", "arrows are convex"),
+    ("grid/row_windings.cpp", "from + 1 >= planes_", "from > planes_", "large numbers in too few planes"),
     ("grid/row_windings.hpp", "set &= up ? ~sign : sign;", "set &= ~sign;", "numbers that fall below the least"),
 ]

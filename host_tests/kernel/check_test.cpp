@@ -1,7 +1,7 @@
 // What check refuses and where: a good solid of quadrangles and triangles, spoilt in one place at a time.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <vector>
 
 #include "osem/solid.hpp"
@@ -173,6 +173,24 @@ TEST(Check, ScratchTooSmallIsRefusedAndNotWritten) {
     Wedge bent;
     bent.vertices[2].at[2] += 1;
     EXPECT_EQ(check(bent.view(), scratch.data(), 0).status, Status::face_not_planar);
+}
+
+// A face once more, either way round: each of its edges is used twice one way and once the other.
+TEST(Check, NamesAnEdgeTheWayThatIsUsedTooOften) {
+    for (std::uint32_t face = 0; face < 5; ++face) {
+        for (const bool turned : {false, true}) {
+            Wedge wedge;
+            std::vector<std::uint32_t> ring(wedge.corners.begin() + wedge.ring_starts[face],
+                                            wedge.corners.begin() + wedge.ring_starts[face + 1]);
+            if (turned) std::reverse(ring.begin(), ring.end());
+            wedge.corners.insert(wedge.corners.end(), ring.begin(), ring.end());
+            wedge.ring_starts.push_back(static_cast<std::uint32_t>(wedge.corners.size()));
+            wedge.face_rings.push_back(6);
+            const CheckOutcome outcome = wedge.checked();
+            ASSERT_EQ(outcome.status, Status::surface_not_closed);
+            ASSERT_EQ(surplus(wedge, outcome.edge), 1);
+        }
+    }
 }
 
 } // namespace

@@ -514,6 +514,29 @@ TEST(GridConversion, SmallGridsOnLargeFaces) {
     }
 }
 
+// A triangle with a spike, as a quadrangle that turns one way at three corners and back at the fourth: not
+// convex.
+TEST(GridConversion, QuadranglesWithASpike) {
+    std::mt19937 random(11);
+    for (int round = 0; round < 12; ++round) {
+        const Point a = random_point(random, root_side / 64);
+        const Point b = random_point(random, root_side / 64);
+        Point c = {};
+        Point tip = {};
+        for (unsigned axis = 0; axis < 3; ++axis) { // the tip is as far past a as c is before it
+            c.at[axis] = a.at[axis] / 2 + static_cast<std::int32_t>(random() % (root_side / 4));
+            tip.at[axis] = 2 * a.at[axis] - c.at[axis];
+            if (tip.at[axis] >= 0 && tip.at[axis] <= root_side) continue;
+            c.at[axis] = tip.at[axis] = a.at[axis];
+        }
+        SmallSolid solid;
+        solid.add_face({{a, b, c, tip}});
+        solid.add_face({{tip, c, b, a}});
+        expect_same(solid, 4, 5);
+        if (HasFatalFailure()) FAIL() << "round " << round;
+    }
+}
+
 } // namespace
 
 } // namespace osem::tests
