@@ -126,8 +126,8 @@ void Pruning::decide() {
 
 // Keeps a child that nothing has been set aside for, as a whole where there is room, else in part: its node
 // is worth its place when some of its leaves are known. (A node without any would fold into a boundary leaf
-// if nothing below it could be kept.) The price itself keeps nothing below a node kept in part: a leaf of that
-// node is known and not worth the price, and no octant below holds more cells than that leaf.
+// if nothing below it could be kept.) The price itself keeps nothing below a node kept in part: a leaf of
+// that node is known and not worth the price, and no octant below holds more cells than that leaf.
 void Pruning::decide_favour(std::uint64_t kept) {
     if (kept != 0 && take_room(kept)) {
         keep(Rule::all_cheap);
