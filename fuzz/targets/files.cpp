@@ -120,19 +120,32 @@ bool same(const Mesh& a, const Mesh& b) {
            a.face_rings == b.face_rings && a.oriented == b.oriented;
 }
 
-/// On the lattice: a solid that the kernel takes comes back from a file of it, byte for byte the second time.
+/// The rings by the places of their corners.
+std::vector<std::vector<std::array<std::int32_t, 3>>> rings_of(const host::IntegerSolid& solid) {
+    std::vector<std::vector<std::array<std::int32_t, 3>>> rings;
+    for (std::uint32_t ring = 0; ring < solid.ring_count(); ++ring) {
+        rings.emplace_back();
+        for (std::uint32_t i = solid.ring_starts[ring]; i < solid.ring_starts[ring + 1]; ++i) {
+            const Point& p = solid.vertices[solid.corners[i]];
+            rings.back().push_back({p.x(), p.y(), p.z()});
+        }
+    }
+    return rings;
+}
+
+/// On the lattice: a solid that the kernel takes comes back from a file of it, ring for ring.
 void put_on_lattice(const Mesh& mesh) {
-    std::ostringstream first;
-    std::ostringstream second;
-    const host::WorldCube cube = host::default_cube(mesh);
-    const host::IntegerSolid solid = host::quantize(mesh, cube);
+    const host::IntegerSolid solid = host::quantize(mesh, host::default_cube(mesh));
     static_cast<void>(host::check_or_throw(solid));
-    host::write_off(first, solid);
-    const Mesh again = host::read_off(first.str());
-    const host::IntegerSolid back = host::quantize(again, {{0, 0, 0}, static_cast<double>(root_side)});
-    static_cast<void>(host::check_or_throw(back));
-    host::write_off(second, back);
-    if (solid.ring_count() == solid.face_count()) EXPECT_EQ(first.str(), second.str());
+    std::ostringstream file;
+    host::write_off(file, solid);
+    host::IntegerSolid back;
+    EXPECT_NO_THROW({
+        back = host::quantize(host::read_off(file.str()), {{0, 0, 0}, static_cast<double>(root_side)});
+        static_cast<void>(host::check_or_throw(back));
+    }) << file.str();
+    if (solid.ring_count() == solid.face_count())
+        EXPECT_TRUE(rings_of(solid) == rings_of(back)) << file.str();
 }
 
 void test_mesh(Format format, const std::vector<std::uint8_t>& bytes) {
@@ -148,12 +161,9 @@ void test_mesh(Format format, const std::vector<std::uint8_t>& bytes) {
     const bool can_be_empty = format != Format::poly || !mesh.vertices.empty();
     if (can_be_empty)
         EXPECT_TRUE(same(read_as(format, written_as(format, mesh)), mesh)) << written_as(format, mesh);
-    bool on_lattice = false;
     try {
         put_on_lattice(mesh);
-        on_lattice = true;
-    } catch (const host::BadInput&) {
-        EXPECT_FALSE(on_lattice);
+    } catch (const host::BadInput&) { // a mesh that is no solid
     }
 }
 
