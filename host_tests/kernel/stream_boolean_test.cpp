@@ -94,6 +94,33 @@ TEST(StreamBoolean, BytesAreThoseOfThePool) {
     }
 }
 
+// Beside a boundary leaf the other operand's colours become one: an octant that is one leaf, behind a leaf of
+// another colour in an octant that is known to be grey only from there on.
+TEST(StreamBoolean, AnOctantBecomesALeafBehindALeafOfAnotherColour) {
+    StreamCombination job;
+    for (const Colour first : {Colour::white, Colour::black}) {
+        for (std::size_t child = 1; child < 8; ++child) {
+            DenseGrid a(3, first);
+            DenseGrid b(3, Colour::white); // divided twice where a has a boundary leaf
+            for (std::size_t cell = 0; cell < 64; ++cell) a[64 * child + cell] = Colour::boundary;
+            b[64 * child + 3] = Colour::boundary;
+            const Bytes bytes_a = stream_of(a);
+            const Bytes bytes_b = stream_of(b);
+            for (const Operator op : all_operators) {
+                TestSink to;
+                ASSERT_EQ(combine(job, op, source_of(bytes_a), source_of(bytes_b), to.sink()).status,
+                          Status::ok);
+                EXPECT_EQ(to.bytes, stream_of(combined(op, a, b)))
+                    << "child " << child << ", operator " << static_cast<int>(op);
+                TestSink turned;
+                ASSERT_EQ(combine(job, op, source_of(bytes_b), source_of(bytes_a), turned.sink()).status,
+                          Status::ok);
+                EXPECT_EQ(turned.bytes, stream_of(combined(op, b, a)));
+            }
+        }
+    }
+}
+
 TEST(StreamBoolean, UniformRootsAndItself) {
     StreamCombination job;
     const DenseGrid grid = random_grid(3, 9, three_colours);

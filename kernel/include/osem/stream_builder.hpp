@@ -55,7 +55,7 @@ class StreamBuilder {
     void copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes, bool inverted);
     void end_copy();
     void restart();
-    void flush_pending();
+    void flush_pending(int end);
     void close_full();
     void put(std::uint32_t codes, unsigned count);
     void put_part(std::uint32_t codes, unsigned count);

@@ -50,7 +50,11 @@ void StreamBuilder::open() {
 
 void StreamBuilder::leaf(Colour colour) {
     OSEM_ASSERT(!whole_ && colour != Colour::grey);
-    if (has_leaf_ && colour != colour_) flush_pending();
+    if (has_leaf_ && colour != colour_) {
+        int grey = level_; // octants that hold no leaf yet can still become one of this colour
+        while (children_[grey - 1] == 0) --grey;
+        flush_pending(grey);
+    }
     colour_ = colour;
     while (pending_ < level_) {
         has_leaf_ = true;
@@ -66,16 +70,16 @@ void StreamBuilder::leaf(Colour colour) {
 void StreamBuilder::leaves(std::uint16_t codes) {
     if (is_one_leaf(codes)) return leaf(static_cast<Colour>(codes & 3U));
     open();
-    flush_pending();
+    flush_pending(level_);
     put(codes, 8);
     children_[level_ - 1] = 8;
     close_full();
 }
 
-// The octants kept back turn out to be grey.
-void StreamBuilder::flush_pending() {
+// The octants kept back turn out to be grey, those above level `end`.
+void StreamBuilder::flush_pending(int end) {
     const std::uint32_t leaves = 0x5555U * (static_cast<std::uint32_t>(colour_) & 3U);
-    for (; pending_ < level_; ++pending_) {
+    for (; pending_ < end; ++pending_) {
         ++nodes_;
         put(static_cast<std::uint32_t>(Colour::grey), 1);
         const unsigned count = children_[pending_];
@@ -96,7 +100,7 @@ void StreamBuilder::close_full() {
 // The next octant is grey, and what is below it comes as the codes of a canonical tree.
 void StreamBuilder::begin_copy() {
     OSEM_ASSERT(!whole_ && level_ < max_depth);
-    flush_pending();
+    flush_pending(level_);
     ++nodes_;
     put(static_cast<std::uint32_t>(Colour::grey), 1);
 }
