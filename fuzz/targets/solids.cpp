@@ -95,6 +95,10 @@ BuiltTree by_labelling(const CheckedSolid& solid, const ConvertOptions& options,
     Labelling job;
     const auto run = [&](Words& blocks, NodePool* pool) {
         const auto count = static_cast<std::uint32_t>(blocks.size());
+        if (choices.below(4) == 0) {
+            return convert_by_labelling(job, solid, options.depth, options.winding, faces.data(), size,
+                                        blocks.data(), count, pool);
+        }
         EXPECT_EQ(
             job.begin(solid, options.depth, options.winding, faces.data(), size, blocks.data(), count, pool),
             Status::ok);
@@ -142,7 +146,11 @@ void test_fitting(const CheckedSolid& solid, const ConvertOptions& options, Choi
         EXPECT_EQ(job.begin(solid, options, faces.data(), size, *pool), Status::ok);
     }
     step_through(job, choices);
-    const FitOutcome outcome = job.finish();
+    FitOutcome outcome = job.finish();
+    if (choices.below(4) == 0) {
+        pool->roll_back(0);
+        outcome = fit(job, solid, options, faces.data(), size, *pool);
+    }
     ASSERT_EQ(outcome.built.status, Status::ok);
     EXPECT_EQ(outcome.built.tree.depth, finest.depth);
     EXPECT_EQ(pool->used(), outcome.built.nodes_needed);

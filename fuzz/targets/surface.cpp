@@ -1,6 +1,7 @@
 // From trees back to boundary representations: closed, oriented, manifold, the faces that brute force finds;
 // and the tree comes back, from the surface itself and from each file that the tool writes of it.
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "mesh/write_surface.hpp"
 #include "osem/boundary.hpp"
 #include "osem/grid_convert.hpp"
+#include "osem/transform.hpp"
 #include "support/any_grid.hpp"
 #include "support/check_model.hpp"
 #include "support/choices.hpp"
@@ -63,12 +65,52 @@ BoundaryOutcome build(Boundary& job, const Octree& tree, SolidPart part, std::ve
     return outcome;
 }
 
+/// Vertices on two edges only: such a one stands one unit behind a vertex at which both copies of a cut edge
+/// start.
+std::uint32_t dividing_vertices(const Solid& surface) {
+    std::vector<std::set<std::uint32_t>> joined(surface.vertex_count);
+    for (std::uint32_t r = 0; r < surface.ring_count(); ++r) {
+        const Ring ring = surface.ring(r);
+        for (std::uint32_t i = 0; i < ring.count; ++i) {
+            joined[ring.corners[i]].insert(ring.corners[(i + 1) % ring.count]);
+        }
+    }
+    const auto is_ahead = [&](std::uint32_t from, std::uint32_t to) {
+        int axes = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t way = surface.vertices[to].at[axis] - surface.vertices[from].at[axis];
+            if (way < 0) return false;
+            axes += way > 0 ? 1 : 0;
+        }
+        return axes == 1;
+    };
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < surface.vertex_count; ++v) {
+        if (joined[v].size() != 2) continue;
+        ++count;
+        const std::uint32_t start =
+            is_ahead(*joined[v].begin(), v) ? *joined[v].begin() : *joined[v].rbegin();
+        EXPECT_TRUE(is_ahead(start, v));
+        const auto copies =
+            std::count_if(joined[start].begin(), joined[start].end(), [&](std::uint32_t other) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    const bool along = surface.vertices[v].at[axis] > surface.vertices[start].at[axis];
+                    if (along != (surface.vertices[other].at[axis] > surface.vertices[start].at[axis]))
+                        return false;
+                }
+                return is_ahead(start, other);
+            });
+        EXPECT_EQ(copies, 2);
+    }
+    return count;
+}
+
 /// Six times the volume of the cells, and what a disk with holes adds up to.
 void expect_measures(const Solid& surface, const tests::DenseGrid& solid) {
     EXPECT_EQ(tests::six_volumes(surface, solid.cell_side()),
               static_cast<std::int64_t>(6 * solid.volume(Colour::black) / volume_at(solid.depth())));
     const tests::SheetCounts sheets = tests::count_sheets(solid);
-    EXPECT_GE(surface.vertex_count, sheets.vertices); // more where copies of a cut edge are told apart
+    EXPECT_EQ(surface.vertex_count, sheets.vertices + dividing_vertices(surface));
     EXPECT_EQ(std::int64_t{surface.vertex_count} - surface.corner_count / 2 +
                   2 * std::int64_t{surface.face_count} - surface.ring_count(),
               sheets.euler);
@@ -131,6 +173,33 @@ void test_files(const Octree& tree, SolidPart part, const tests::DenseGrid& soli
                          keeps_faces ? WindingRule::odd : WindingRule::nonzero);
 }
 
+/// The same at the greatest depth, where an edge of one cell has no point to be divided at.
+void test_smallest_cells(const tests::DenseGrid& grid, SolidPart part, std::uint32_t dividing,
+                         Choices& choices) {
+    tests::HeapPool pool(4000);
+    const Octree tree = tests::planted(grid, *pool);
+    Octant octant = root_octant;
+    while (octant.level < max_depth - grid.depth()) octant = octant.child(choices.below(8));
+    const TreeOutcome small = reduced(tree, octant, *pool);
+    const TreeOutcome solid = reduced(tests::planted(tests::solid_cells(grid, part), *pool), octant, *pool);
+    ASSERT_TRUE(small.status == Status::ok && solid.status == Status::ok);
+    Boundary job;
+    std::vector<BoundaryCorner> scratch;
+    const BoundaryOutcome outcome = build(job, small.tree, part, scratch, choices);
+    const tests::SheetCounts sheets = tests::count_sheets(tests::solid_cells(grid, part));
+    EXPECT_EQ(outcome.sizes.vertices + outcome.double_edges, sheets.vertices + dividing);
+    Arrays arrays(outcome.sizes);
+    const Solid surface = boundary_solid(job, arrays.view());
+    const CheckOutcome checked = checked_as_expected(surface);
+    ASSERT_EQ(checked.status, Status::ok);
+    GridConversion back;
+    std::vector<std::uint32_t> words(grid_scratch(surface, max_depth));
+    const TreeOutcome converted = convert(back, checked.solid, {max_depth}, words.data(),
+                                          static_cast<std::uint32_t>(words.size()), &*pool);
+    ASSERT_EQ(converted.status, Status::ok);
+    EXPECT_TRUE(same_leaves(converted.tree, solid.tree));
+}
+
 void test_surface(const tests::DenseGrid& grid, SolidPart part, Choices& choices) {
     tests::HeapPool pool(4000);
     const Octree tree = tests::planted(grid, *pool);
@@ -155,6 +224,7 @@ void test_surface(const tests::DenseGrid& grid, SolidPart part, Choices& choices
     const CheckOutcome checked = checked_as_expected(surface);
     ASSERT_EQ(checked.status, Status::ok);
     expect_converts_back(checked.solid, solid, WindingRule::nonzero);
+    if (choices.below(4) == 0) test_smallest_cells(grid, part, dividing_vertices(surface), choices);
     test_files(tree, part, solid, choices);
 }
 

@@ -66,7 +66,9 @@ void combine_two(Forest& forest, Jobs& jobs, Choices& choices) {
     const std::size_t a = forest.any(choices);
     const std::size_t b = forest.any(choices);
     const auto op = static_cast<Operator>(choices.below(4));
+    const bool at_once = choices.below(4) == 0;
     const TreeOutcome outcome = forest.build([&](NodePool& pool) {
+        if (at_once) return combine(jobs.combination, op, forest[a].tree, forest[b].tree, pool);
         return run(jobs.combination, choices, [&](Combination& job, bool count) {
             return job.begin(op, forest[a].tree, forest[b].tree, pool, count);
         });
@@ -116,8 +118,10 @@ void place(Forest& forest, Jobs& jobs, Choices& choices) {
     tests::DenseGrid grid =
         tests::placed(forest[a].grid, placement, tests::exact_depth(forest[a].grid, placement));
     const bool refused = !placement.cut_at_root && tests::leaves_root(forest[a].grid, placement.by);
+    const bool at_once = choices.below(4) == 0;
     const TreeOutcome outcome = forest.build(
         [&](NodePool& pool) {
+            if (at_once) return translate(jobs.translation, forest[a].tree, placement, pool);
             return run(jobs.translation, choices, [&](Translation& job, bool count) {
                 return job.begin(forest[a].tree, placement, pool, count);
             });
@@ -211,7 +215,9 @@ void turn(Forest& forest, Jobs& jobs, Choices& choices) {
             return;
         }
     }
+    const bool at_once = choices.below(4) == 0;
     const TreeOutcome outcome = forest.build([&](NodePool& pool) {
+        if (at_once) return reorient(jobs.reorientation, forest[a].tree, symmetry, pool);
         return run(jobs.reorientation, choices, [&](Reorientation& job, bool count) {
             return job.begin(forest[a].tree, symmetry, pool, count);
         });
@@ -228,7 +234,9 @@ void coarsen_one(Forest& forest, Jobs& jobs, Choices& choices) {
                   Status::depth_out_of_range);
         return;
     }
+    const bool at_once = choices.below(4) == 0;
     const TreeOutcome outcome = forest.build([&](NodePool& pool) {
+        if (at_once) return coarsen(jobs.coarsening, forest[a].tree, depth, mode, pool);
         return run(jobs.coarsening, choices, [&](Coarsening& job, bool count) {
             return job.begin(forest[a].tree, depth, mode, pool, count);
         });
@@ -276,8 +284,13 @@ void prune_one(Forest& forest, Jobs& jobs, Choices& choices) {
     if (measure(forest[a].tree).nodes > 150) return; // the model takes the square of it
     const tests::Losses least = tests::least_losses(forest[a].grid);
     const std::uint32_t budget = choices.below(160);
+    const bool at_once = choices.below(4) == 0;
     PruneOutcome pruned = {};
     const TreeOutcome outcome = forest.build([&](NodePool& pool) {
+        if (at_once) {
+            pruned = prune(jobs.pruning, forest[a].tree, budget, &pool);
+            return pruned.built;
+        }
         jobs.pruning.begin(forest[a].tree, budget, &pool);
         step_through(jobs.pruning, choices);
         pruned = jobs.pruning.finish();
@@ -302,9 +315,28 @@ void prune_one(Forest& forest, Jobs& jobs, Choices& choices) {
     forest.add(outcome.tree, result);
 }
 
-void ask(const Forest& forest, Choices& choices) {
-    const Forest::Entry& entry = forest[forest.any(choices)];
-    switch (choices.below(11)) {
+/// The same nodes in a pool that is never written to.
+void test_read_only(Forest& forest, std::size_t i) {
+    const std::vector<Node> nodes = forest.pool().used_nodes();
+    NodePool pool = NodePool::over(nodes.data(), static_cast<std::uint32_t>(nodes.size()));
+    Octree tree = forest[i].tree;
+    tree.pool = &pool;
+    EXPECT_EQ(digest(tree), tests::expected_digest(forest[i].grid));
+    EXPECT_TRUE(same_leaves(tree, forest[i].tree));
+    const Node node = Node::of(1, 2, 0);
+    NodeIndex first = 0;
+    EXPECT_EQ(pool.append(&node, 1, first), Status::pool_exhausted);
+    pool.roll_back(0);
+    EXPECT_EQ(pool.used(), nodes.size());
+    std::vector<std::uint32_t> scratch(compact_scratch(pool.used()));
+    const Status status = compact(pool, &tree, 1, scratch.data(), static_cast<std::uint32_t>(scratch.size()));
+    EXPECT_EQ(status, nodes.empty() ? Status::ok : Status::pool_read_only);
+}
+
+void ask(Forest& forest, Choices& choices) {
+    const std::size_t asked = forest.any(choices);
+    const Forest::Entry& entry = forest[asked];
+    switch (choices.below(12)) {
     case 0:
         return ask_point(entry, choices);
     case 1:
@@ -325,6 +357,8 @@ void ask(const Forest& forest, Choices& choices) {
         return ask_moments(entry);
     case 9:
         return ask_surface(entry, choices);
+    case 10:
+        return test_read_only(forest, asked);
     default:
         return ask_components(entry, choices);
     }
