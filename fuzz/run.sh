@@ -13,7 +13,7 @@ targets=("$@")
 . "$root/host_tests/packages.sh"
 install_packages cmake make clang libclang-rt-14-dev libgtest-dev libgmp-dev libcli11-dev libstb-dev libtinyobjloader-dev
 
-cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' \
+cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O2 -g1' \
     -DOSEM_SANITIZE=ON -DOSEM_BUILD_FUZZ=ON -DOSEM_BUILD_TESTS=OFF > /dev/null
 mkdir -p "$build/findings"
 cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/#/osem_fuzz_}" > "$build/build.log" 2>&1 || {
@@ -22,7 +22,7 @@ cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/#/osem_fuzz_
 }
 
 # Memory is bounded so that a file cannot ask for more than it holds; a small quarantine keeps to that bound.
-export ASAN_OPTIONS=quarantine_size_mb=8 UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS=quarantine_size_mb=8:malloc_context_size=3 UBSAN_OPTIONS=print_stacktrace=1
 fuzz() {
     local target=$1 given=() dictionary=()
     mkdir -p "$build/corpus/$target"
