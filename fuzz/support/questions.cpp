@@ -110,7 +110,9 @@ void ask_point(const Forest::Entry& entry, Choices& choices) {
     EXPECT_TRUE(is_octant(octant) && octant.level <= entry.grid.depth());
     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(cell.at[axis] & -octant.side(), octant.corner.at[axis]);
     EXPECT_TRUE(is_all(entry.grid, octant, found.leaf.colour));
-    if (octant.level > 0) EXPECT_FALSE(is_all(entry.grid, octant.parent(), found.leaf.colour)) << "canonical";
+    if (octant.level > 0) {
+        EXPECT_FALSE(is_all(entry.grid, octant.parent(), found.leaf.colour)) << "canonical";
+    }
 }
 
 void ask_box(const Forest::Entry& entry, Choices& choices) {
@@ -169,7 +171,9 @@ void ask_segment(const Forest::Entry& entry, Choices& choices) {
     });
     const HitOutcome hit = first_hit(entry.tree, segment, colours);
     ASSERT_EQ(hit.hit, first != stays.end());
-    if (hit.hit) EXPECT_TRUE(same(hit.passage, *first));
+    if (hit.hit) {
+        EXPECT_TRUE(same(hit.passage, *first));
+    }
 }
 
 void ask_neighbour(const Forest::Entry& entry, Choices& choices) {
@@ -223,8 +227,9 @@ void ask_nearest(const Forest::Entry& entry, Choices& choices) {
     EXPECT_EQ(found.distance, expected.distance);
     EXPECT_TRUE(same_leaf(found.leaf, leaf_at(entry.tree, expected.corner).leaf));
     EXPECT_TRUE(nearest_leaf(entry.tree, from, colours, expected.distance).found);
-    if (expected.distance > 0)
+    if (expected.distance > 0) {
         EXPECT_FALSE(nearest_leaf(entry.tree, from, colours, expected.distance - 1).found);
+    }
 }
 
 void ask_collision(const Forest::Entry& a, const Forest::Entry& b, Choices& choices) {
@@ -235,14 +240,17 @@ void ask_collision(const Forest::Entry& a, const Forest::Entry& b, Choices& choi
     for (std::int32_t& at : offset.at) at = choices.flag() || at == INT32_MIN ? at : -at;
     Collision job;
     job.begin(a.tree, b.tree, offset);
-    if (choices.below(4) == 0 && job.step(choices.byte())) EXPECT_EQ(job.finish().status, Status::unfinished);
+    if (choices.below(4) == 0 && job.step(choices.byte())) {
+        EXPECT_EQ(job.finish().status, Status::unfinished);
+    }
     step_through(job, choices);
     const CollisionOutcome found =
         choices.below(4) == 0 ? collide(job, a.tree, b.tree, offset) : job.finish();
     ASSERT_EQ(found.status, Status::ok);
     EXPECT_EQ(found.contact, tests::expected_contact(of_a, of_b, offset));
-    if (found.contact != Contact::clear)
+    if (found.contact != Contact::clear) {
         EXPECT_EQ(tests::contact_of(found.a, found.b, offset), found.contact);
+    }
 }
 
 namespace {

@@ -205,7 +205,9 @@ void test_damaged(std::vector<Operand>& operands, const Tokens& tokens, const Cs
         convert_expression(job, tokens.data(), static_cast<std::uint32_t>(tokens.size()), objects.data(),
                            static_cast<std::uint32_t>(operands.size()), options, &*forest.pool());
     EXPECT_NE(outcome.fault.status, Status::ok);
-    if (outcome.fault.status != Status::pool_exhausted) EXPECT_EQ(outcome.fault.operand, hit);
+    if (outcome.fault.status != Status::pool_exhausted) {
+        EXPECT_EQ(outcome.fault.operand, hit);
+    }
     EXPECT_TRUE(before.same_nodes(forest.pool()));
 }
 
@@ -265,8 +267,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     const osem::Status status = expression.begin(tokens.data(), token_count, operands, where);
     const Validity expected = validity(tokens, operands);
     EXPECT_EQ(status == osem::Status::ok, expected.is_valid && !expected.is_too_large);
-    if (status == osem::Status::expression_invalid) EXPECT_FALSE(expected.is_valid);
-    if (status == osem::Status::expression_too_large) EXPECT_TRUE(expected.is_too_large);
+    if (status == osem::Status::expression_invalid) {
+        EXPECT_FALSE(expected.is_valid);
+    }
+    if (status == osem::Status::expression_too_large) {
+        EXPECT_TRUE(expected.is_too_large);
+    }
     if (status != osem::Status::ok) {
         EXPECT_LE(where, token_count);
         return 0;

@@ -144,8 +144,9 @@ void put_on_lattice(const Mesh& mesh) {
         back = host::quantize(host::read_off(file.str()), {{0, 0, 0}, static_cast<double>(root_side)});
         static_cast<void>(host::check_or_throw(back));
     }) << file.str();
-    if (solid.ring_count() == solid.face_count())
+    if (solid.ring_count() == solid.face_count()) {
         EXPECT_TRUE(rings_of(solid) == rings_of(back)) << file.str();
+    }
 }
 
 void test_mesh(Format format, const std::vector<std::uint8_t>& bytes) {
@@ -159,8 +160,9 @@ void test_mesh(Format format, const std::vector<std::uint8_t>& bytes) {
     }
     expect_sound(mesh, text.size());
     const bool can_be_empty = format != Format::poly || !mesh.vertices.empty();
-    if (can_be_empty)
+    if (can_be_empty) {
         EXPECT_TRUE(same(read_as(format, written_as(format, mesh)), mesh)) << written_as(format, mesh);
+    }
     try {
         put_on_lattice(mesh);
     } catch (const host::BadInput&) { // a mesh that is no solid
@@ -214,7 +216,9 @@ void test_tree(std::vector<std::uint8_t> bytes, bool repaired) {
     } catch (const host::BadInput& fault) {
         EXPECT_FALSE(taken) << fault.what();
     }
-    if (plain.built.status != Status::ok) EXPECT_FALSE(taken);
+    if (plain.built.status != Status::ok) {
+        EXPECT_FALSE(taken);
+    }
     if (plain.built.status != Status::ok || taken) return;
     double frame[4] = {};
     std::memcpy(frame, reader.header().frame, sizeof frame);

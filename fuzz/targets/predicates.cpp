@@ -28,7 +28,9 @@ void classify_in(const tests::SmallSolid& face, const ExactFace& exact, const Bo
     EXPECT_EQ(decision.stage == Stage::minimax, !exact.box_meets(open));
     const bool missed_by_plane = exact.box_meets(open) && exact.has_area() && !exact.plane_meets(open);
     EXPECT_EQ(decision.stage == Stage::plane, missed_by_plane);
-    if (decision.stage == Stage::holes) EXPECT_GT(face.faces()[0].size(), 1U);
+    if (decision.stage == Stage::holes) {
+        EXPECT_GT(face.faces()[0].size(), 1U);
+    }
 }
 
 // The octant, its children, and a way down the halves between octants.
@@ -176,7 +178,9 @@ void test_frame(Choices& choices) {
         EXPECT_EQ(outcome.status, Status::shift_out_of_range);
     } else {
         EXPECT_EQ(outcome.status, all_good ? Status::ok : Status::point_outside_frame);
-        if (!all_good) EXPECT_EQ(outcome.index, good);
+        if (!all_good) {
+            EXPECT_EQ(outcome.index, good);
+        }
         for (std::size_t i = 0; i < good; ++i) EXPECT_EQ(lattice[i], expected[i]);
     }
 

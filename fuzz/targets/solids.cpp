@@ -38,7 +38,9 @@ void expect_same_nodes(const BuiltTree& a, const BuiltTree& b) {
     EXPECT_EQ(a.outcome.nodes_needed, b.outcome.nodes_needed);
     EXPECT_EQ(a.outcome.tree.depth, b.outcome.tree.depth);
     EXPECT_TRUE(same_leaves(a.outcome.tree, b.outcome.tree));
-    if (a.before == b.before) EXPECT_TRUE(a.pool->used_nodes() == b.pool->used_nodes());
+    if (a.before == b.before) {
+        EXPECT_TRUE(a.pool->used_nodes() == b.pool->used_nodes());
+    }
 }
 
 /// Options under which the tree is small enough, the finest up to the one chosen.
@@ -184,7 +186,9 @@ void test_giving_up(const CheckedSolid& solid, const ConvertOptions& options, Ch
     const std::uint32_t steps = choices.byte();
     Conversion octants;
     EXPECT_EQ(octants.begin(solid, options, faces.data(), size, &*pool), Status::ok);
-    if (octants.step(steps)) EXPECT_NE(octants.finish().status, Status::ok);
+    if (octants.step(steps)) {
+        EXPECT_NE(octants.finish().status, Status::ok);
+    }
     GridConversion grids;
     pool->roll_back(0);
     EXPECT_EQ(grids.begin(solid, options, faces.data(), size, &*pool), Status::ok);
@@ -227,8 +231,9 @@ void test_conversions(const CheckedSolid& solid, const Octant& window, Choices& 
     if (!choose_options(solid, window, is_exact ? exact_limits : plain_limits, choices, options)) return;
     const ExactSolid exact(solid.view());
     const BuiltTree octants = by_octants(solid, options, choices);
-    if (is_exact)
+    if (is_exact) {
         EXPECT_EQ(digest(octants.outcome.tree), tests::expected_digest(exact_masks(exact, options)));
+    }
     EXPECT_EQ(octants.outcome.tree.depth, options.depth);
     GridOptions grids;
     grids.last_levels = 1 + static_cast<int>(choices.below(most_grid_levels));

@@ -236,7 +236,9 @@ void expect_combined(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& 
     } else {
         EXPECT_LT(obstacle, 3U);
         EXPECT_EQ(status, obstacle == 2 ? Status::sink_refused : Status::source_failed);
-        if (obstacle < 2) EXPECT_EQ(outcome.operand, obstacle);
+        if (obstacle < 2) {
+            EXPECT_EQ(outcome.operand, obstacle);
+        }
     }
 }
 

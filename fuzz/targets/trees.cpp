@@ -49,7 +49,9 @@ TreeOutcome run(Job& job, Choices& choices, const Begin& begin) {
     EXPECT_EQ(begin(job, false), Status::ok);
     step_through(job, choices);
     const TreeOutcome outcome = job.finish();
-    if (kind == 0 && outcome.status == Status::ok) EXPECT_EQ(outcome.nodes_needed, counted);
+    if (kind == 0 && outcome.status == Status::ok) {
+        EXPECT_EQ(outcome.nodes_needed, counted);
+    }
     return outcome;
 }
 
