@@ -59,30 +59,36 @@ struct Validity {
     bool is_too_large;
 };
 
+/// Whether a token finds the values that it takes; it leaves one.
+bool takes(const CsgToken& token, std::uint32_t operands, unsigned& values) {
+    switch (token.kind) {
+    case CsgTokenKind::operand:
+        ++values;
+        return token.operand < operands;
+    case CsgTokenKind::combine:
+        if (values < 2 || static_cast<unsigned>(token.op) > 3) return false;
+        --values;
+        return true;
+    case CsgTokenKind::complement:
+        return values > 0;
+    }
+    return false;
+}
+
+/// What is too large is so by the tokens before the first that is not valid.
 Validity validity(const Tokens& tokens, std::uint32_t operands) {
     Validity found = {true, tokens.size() > csg_most_tokens || operands > csg_most_operands};
     std::vector<unsigned> uses(operands);
     unsigned values = 0;
     for (const CsgToken& token : tokens) {
-        switch (token.kind) {
-        case CsgTokenKind::operand:
-            if (token.operand >= operands) return {false, found.is_too_large};
-            ++uses[token.operand];
-            ++values;
-            break;
-        case CsgTokenKind::combine:
-            if (values < 2 || static_cast<unsigned>(token.op) > 3) return {false, found.is_too_large};
-            --values;
-            break;
-        case CsgTokenKind::complement:
-            if (values < 1) return {false, found.is_too_large};
-            break;
-        default:
-            return {false, found.is_too_large};
-        }
+        found.is_valid = takes(token, operands, values);
+        if (!found.is_valid) break;
+        if (token.kind == CsgTokenKind::operand) ++uses[token.operand];
     }
+    found.is_valid = found.is_valid && values == 1;
     const auto repeated = std::count_if(uses.begin(), uses.end(), [](unsigned n) { return n > 1; });
-    return {values == 1, found.is_too_large || repeated > csg_most_repeated};
+    found.is_too_large = found.is_too_large || repeated > csg_most_repeated;
+    return found;
 }
 
 bool depends(const Tokens& tokens, std::vector<Colour> colours, std::size_t operand) {
