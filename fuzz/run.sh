@@ -44,11 +44,11 @@ found=0
 for target in "${targets[@]}"; do
     log=$build/$target.log
     statistic() { sed -n "s/^stat::$1: *//p" "$log"; }
-    coverage=$(grep -o 'cov: [0-9]* ft: [0-9]*' "$log" | tail -n 1)
+    coverage=$(grep -o 'cov: [0-9]* ft: [0-9]*' "$log" | tail -n 1 || true)
     finding=none
     if [ -e "$build/$target.found" ]; then
         found=1
-        finding=$(grep -o "$build/findings/[^ ]*" "$log" | tail -n 1)
+        finding=$(grep -o "$build/findings/[^ ]*" "$log" | tail -n 1 || true)
     fi
     printf '%-12s %12s %8s %8s %10s  %s\n' "$target" "$(statistic number_of_executed_units)" \
         "$(statistic average_exec_per_sec)" "$(echo "$coverage" | cut -d ' ' -f 2)" \
