@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # fuzz/run.sh [SECONDS] [TARGET...]: builds the targets with Clang's sanitizers, runs each for so many seconds (60) from
 # the inputs in fuzz/corpus and fuzz/failures on, and ends in a table. Fails when one of them finds something.
-# Build trees, new inputs and findings go to $OSEM_BUILD_DIR (default: build/).
+# Build trees, new inputs and findings go to $OSEM_BUILD_DIR (default: build/). With OSEM_FUZZ_SEED the inputs are tried
+# in the same order again, as far as the time goes.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$(realpath -m "${OSEM_BUILD_DIR:-$root/build}")/fuzz
@@ -30,7 +31,7 @@ fuzz() {
         [ ! -d "$folder" ] || given+=("$folder")
     done
     [ ! -f "$root/fuzz/dictionaries/$target" ] || dictionary=(-dict="$root/fuzz/dictionaries/$target")
-    "$build/fuzz/osem_fuzz_$target" -max_total_time="$seconds" -max_len=2048 -timeout=20 -malloc_limit_mb=64 \
+    "$build/fuzz/osem_fuzz_$target" -seed="${OSEM_FUZZ_SEED:-0}" -max_total_time="$seconds" -max_len=2048 -timeout=20 -malloc_limit_mb=64 \
         -rss_limit_mb=768 -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${dictionary[@]}" \
         "$build/corpus/$target" "${given[@]}" > "$build/$target.log" 2>&1 || touch "$build/$target.found"
 }

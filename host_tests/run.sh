@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs every test that CI runs: format, both compilers, with and without sanitizers, both index widths, every
-# architecture (cross/run.sh), clang-tidy. Installs what it needs. Build trees go to $OSEM_BUILD_DIR (default:
-# build/).
+# Runs every test that CI runs: format, both compilers, with and without sanitizers, both index widths, coverage, a
+# short turn of the fuzzers, static analysis, every architecture (cross/run.sh), clang-tidy. Installs what it needs.
+# Build trees go to $OSEM_BUILD_DIR (default: build/).
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$(realpath -m "${OSEM_BUILD_DIR:-$root/build}")
@@ -37,29 +37,39 @@ run() {
         > "$build/$name.log" || { tail -n 100 "$build/$name.log" >&2; exit 1; }
     grep "tests passed" "$build/$name.log"
 }
-# CGAL is the long part to build, so the oracle is asked once, in full; what it answered is replayed under the
-# sanitizers below, as it is on every architecture. The last run compiles the kernel's tests one by one (OSEM_BATCHES),
-# as clang-tidy reads the tool's files, which shows that they include what they use.
+# CGAL is the long part to build, so the oracle is asked once, in full; what it answered is replayed under sanitizers
+# below, as it is on every architecture. The last run compiles the kernel's tests one by one (OSEM_BATCHES), as
+# clang-tidy reads the tool's files, which shows that they include what they use.
 sanitize=(-DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' -DOSEM_SANITIZE=ON)
 run gcc-release -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_BUILD_CROSS=ON
 without=(-DOSEM_BUILD_ORACLE=OFF -DOSEM_BUILD_CROSS=ON)
 run clang-sanitize -DCMAKE_CXX_COMPILER=clang++ "${sanitize[@]}" "${without[@]}"
 run clang-release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release "${without[@]}"
-run gcc-sanitize -DCMAKE_CXX_COMPILER=g++ "${sanitize[@]}" "${without[@]}"
-run gcc-16-bit -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DOSEM_NODE_INDEX_BITS=16 \
-    -DOSEM_FAST_CRC=OFF -DOSEM_BUILD_TOOL=OFF -DOSEM_BATCHES=OFF "${without[@]}"
+run gcc-sanitize-16-bit -DCMAKE_CXX_COMPILER=g++ "${sanitize[@]}" -DOSEM_NODE_INDEX_BITS=16 -DOSEM_FAST_CRC=OFF \
+    -DOSEM_BUILD_TOOL=OFF -DOSEM_BATCHES=OFF "${without[@]}"
+
+stage "coverage"
+OSEM_BUILD_DIR=$build bash "$root/host_tests/coverage.sh" --check > "$build/coverage.log" || {
+    tail -n 60 "$build/coverage.log" >&2
+    exit 1
+}
+grep -i total "$build/coverage.log"
+
+stage "fuzzing, the short form"
+OSEM_FUZZ_SEED=1 OSEM_BUILD_DIR=$build bash "$root/fuzz/run.sh" 5
+
+stage "static analysis"
+OSEM_BUILD_DIR=$build bash "$root/host_tests/static.sh"
 
 stage "every architecture"
 OSEM_BUILD_DIR=$build "$root/cross/run.sh"
 
-for name in clang-sanitize gcc-sanitize; do
-    stage "$name: the oracles' vectors"
-    (cd "$build/cross/vectors" && "$build/$name/cross/replay/osem_replay" ./*.vec) > "$build/$name.replay" || {
-        tail -n 40 "$build/$name.replay" >&2
-        exit 1
-    }
-    tail -n 1 "$build/$name.replay"
-done
+stage "the oracles' vectors under sanitizers"
+(cd "$build/cross/vectors" && "$build/clang-sanitize/cross/replay/osem_replay" ./*.vec) > "$build/replay.log" || {
+    tail -n 40 "$build/replay.log" >&2
+    exit 1
+}
+tail -n 1 "$build/replay.log"
 
 # What only a bare-metal part has is looked at with the headers and options of its own compiler.
 stage "tidy"
