@@ -16,8 +16,6 @@ class AbortOnFailure : public testing::EmptyTestEventListener {
     }
 };
 
-} // namespace
-
 void abort_on_failure() {
     static const bool listening = [] {
         testing::UnitTest::GetInstance()->listeners().Append(new AbortOnFailure); // the list owns it
@@ -26,4 +24,13 @@ void abort_on_failure() {
     static_cast<void>(listening);
 }
 
+} // namespace
+
 } // namespace osem::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    osem::fuzz::abort_on_failure();
+    osem::fuzz::Choices choices(bytes, count);
+    osem::fuzz::run(choices);
+    return 0;
+}

@@ -8,13 +8,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "support/choices.hpp"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count);
 
 namespace osem::fuzz {
 
-/// Makes the first expectation that fails, here or in the helpers of the tests, end the program.
-/// Cost: nothing after the first call.
-void abort_on_failure();
+/// What a target does with an input; defined by each. The first expectation that fails, here or in the
+/// helpers of the tests, ends the program.
+void run(Choices& choices);
 
 } // namespace osem::fuzz
 

@@ -11,7 +11,6 @@
 #include "support/any_grid.hpp"
 #include "support/any_solid.hpp"
 #include "support/byte_stream.hpp"
-#include "support/choices.hpp"
 #include "support/expressions.hpp"
 #include "support/forest.hpp"
 #include "support/target.hpp"
@@ -253,12 +252,7 @@ void test_walk(const Tokens& tokens, std::uint32_t count, Choices& choices) {
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     const bool sound = choices.below(4) != 0;
     const std::uint32_t operands = 1 + choices.below(sound ? 4 : 18);
     Tokens tokens;
@@ -281,9 +275,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     }
     if (status != osem::Status::ok) {
         EXPECT_LE(where, token_count);
-        return 0;
+        return;
     }
     test_evaluation(expression, tokens, operands, choices);
     if (operands <= 4) test_walk(tokens, operands, choices);
-    return 0;
 }
+
+} // namespace osem::fuzz

@@ -21,7 +21,6 @@
 #include "mesh/write_off.hpp"
 #include "osem/stream_query.hpp"
 #include "support/byte_stream.hpp"
-#include "support/choices.hpp"
 #include "support/heap_pool.hpp"
 #include "support/target.hpp"
 
@@ -287,12 +286,7 @@ void test_words(const std::string& text) {
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     const std::uint32_t kind = choices.below(8);
     const std::vector<std::uint8_t> rest = choices.rest();
     if (kind < 4) {
@@ -304,5 +298,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     } else {
         test_words(std::string(rest.begin(), rest.end()));
     }
-    return 0;
 }
+
+} // namespace osem::fuzz

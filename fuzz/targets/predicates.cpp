@@ -12,7 +12,6 @@
 #include "osem/bintree.hpp"
 #include "osem/frame.hpp"
 #include "osem/ray.hpp"
-#include "support/choices.hpp"
 #include "support/exact.hpp"
 #include "support/near_face.hpp"
 #include "support/target.hpp"
@@ -248,21 +247,16 @@ void test_parameter(Choices& choices) {
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     const std::uint32_t what = choices.below(8);
     if (what == 6) {
         test_frame(choices);
-        return 0;
+        return;
     }
     if (what == 7) {
         test_ray(choices);
         test_parameter(choices);
-        return 0;
+        return;
     }
     const osem::Octant octant = any_octant(choices);
     const osem::tests::SmallSolid face = near_face(octant, choices);
@@ -270,5 +264,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if (what == 3) test_plane(face, octant, choices);
     if (what == 4) test_crossing(face, octant, choices);
     if (what == 5) test_sight(face, octant, choices);
-    return 0;
 }
+
+} // namespace osem::fuzz

@@ -14,7 +14,6 @@
 #include "support/any_solid.hpp"
 #include "support/building.hpp"
 #include "support/check_model.hpp"
-#include "support/choices.hpp"
 #include "support/exact_tree.hpp"
 #include "support/target.hpp"
 
@@ -262,12 +261,7 @@ bool is_all_triangles(const tests::SmallSolid& solid) {
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     const std::uint32_t form = choices.below(8);
     const osem::Octant window = any_window(choices);
     const osem::tests::SmallSolid solid = any_solid(window, choices);
@@ -276,5 +270,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if ((form & 4U) != 0) damage(arrays, choices);
     const osem::CheckOutcome outcome = checked_as_expected(arrays.view());
     if (outcome.status == osem::Status::ok) test_conversions(outcome.solid, window, choices);
-    return 0;
 }
+
+} // namespace osem::fuzz

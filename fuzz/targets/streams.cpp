@@ -11,7 +11,6 @@
 #include "support/any_grid.hpp"
 #include "support/building.hpp"
 #include "support/byte_stream.hpp"
-#include "support/choices.hpp"
 #include "support/heap_pool.hpp"
 #include "support/stream_source.hpp"
 #include "support/target.hpp"
@@ -303,12 +302,7 @@ void test_booleans(Choices& choices) {
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     const std::uint32_t kind = choices.below(8);
     if (kind < 2) {
         Choices whole = choices;
@@ -327,5 +321,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     } else {
         test_booleans(choices);
     }
-    return 0;
 }
+
+} // namespace osem::fuzz

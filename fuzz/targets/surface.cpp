@@ -16,7 +16,6 @@
 #include "osem/transform.hpp"
 #include "support/any_grid.hpp"
 #include "support/check_model.hpp"
-#include "support/choices.hpp"
 #include "support/heap_pool.hpp"
 #include "support/surface.hpp"
 #include "support/surface_sheets.hpp"
@@ -230,15 +229,11 @@ void test_surface(const tests::DenseGrid& grid, SolidPart part, Choices& choices
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     const auto part = static_cast<osem::SolidPart>(choices.below(2));
     const int depth = 1 + static_cast<int>(choices.below(3));
     const osem::tests::DenseGrid grid = any_grid(depth, choices);
     test_surface(grid, part, choices);
-    return 0;
 }
+
+} // namespace osem::fuzz

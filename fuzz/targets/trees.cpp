@@ -8,7 +8,6 @@
 #include "osem/fit.hpp"
 #include "osem/transform.hpp"
 #include "support/any_grid.hpp"
-#include "support/choices.hpp"
 #include "support/forest.hpp"
 #include "support/losses.hpp"
 #include "support/questions.hpp"
@@ -402,12 +401,7 @@ void tidy(Forest& forest, Choices& choices) {
 
 } // namespace
 
-} // namespace osem::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    using namespace osem::fuzz;
-    abort_on_failure();
-    Choices choices(bytes, count);
+void run(Choices& choices) {
     Jobs jobs;
     Forest forest(any_room(choices));
     plant(forest, choices);
@@ -423,5 +417,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
         }
     }
     forest.expect_trees_whole();
-    return 0;
 }
+
+} // namespace osem::fuzz

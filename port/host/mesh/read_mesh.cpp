@@ -26,8 +26,9 @@ std::string read_file(const std::string& path) {
     while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get())) {
         bytes.append(buffer, got);
     }
-    if (std::ferror(file.get()) != 0)
+    if (std::ferror(file.get()) != 0) {
         throw BadInput("cannot be read: " + std::generic_category().message(errno));
+    }
     return bytes;
 }
 
