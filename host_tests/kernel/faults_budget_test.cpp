@@ -102,7 +102,7 @@ TEST(BudgetFaults, Collision) {
         const Contact truth = expected_contact(cells_a, cells_b, offset);
         for (const std::uint32_t budget : step_budgets) {
             job.begin(a.tree, b.tree, offset);
-            for (std::uint64_t steps = 0; job.step(budget); ++steps) {
+            while (job.step(budget)) {
                 const CollisionOutcome outcome = job.finish();
                 ASSERT_EQ(outcome.status, Status::unfinished);
                 ASSERT_LE(outcome.contact, truth) << "a lower bound";

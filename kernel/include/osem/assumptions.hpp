@@ -16,8 +16,8 @@ static_assert(static_cast<unsigned char>(-1) == 0xff && (-1 & 0xff) == 0xff,
 // What C++17 leaves to the implementation, and C++20 demands.
 static_assert((std::int32_t{-5} >> 1) == -3 && (std::int64_t{-5} >> 1) == -3, "right shifts round down");
 static_assert(static_cast<std::int8_t>(std::uint8_t{0xff}) == -1 &&
-                  static_cast<std::int32_t>(UINT32_C(0xffffffff)) == -1 &&
-                  static_cast<std::int64_t>(UINT64_C(0xffffffffffffffff)) == -1,
+                  static_cast<std::int32_t>(std::uint32_t{0xffffffff}) == -1 &&
+                  static_cast<std::int64_t>(std::uint64_t{0xffffffffffffffff}) == -1,
               "conversion to a signed type keeps the bits");
 
 // Operands narrower than int are widened to int, and constants of 32 bits are unsigned int.
