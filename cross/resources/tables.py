@@ -158,7 +158,7 @@ small C library: 64-bit arithmetic, `memcpy`, `memset`."""
 STACK_TEXT = """\
 Worst-case stack, in bytes, a function's own saved registers included. The bound is the longest path in the call
 graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest}; with
-`OSEM_FAST_GRIDS` the greatest bound is {fast}."""
+`OSEM_FAST_GRIDS`, to which the target does not apply, the greatest bound is {fast}."""
 COUNT_TEXT = """\
 Instructions, counted by QEMU in steps of 40, with 32-bit indices. (The M0's code runs on the model of a
 Cortex-M3, whose memory is large enough.)"""

@@ -18,6 +18,9 @@ struct Wedge {
     std::vector<std::uint32_t> ring_starts = {0, 4, 7, 11, 14, 18};
     std::vector<std::uint32_t> face_rings = {0, 1, 2, 3, 4, 5};
 
+    std::vector<std::uint32_t>::iterator first_of(std::uint32_t ring) {
+        return corners.begin() + static_cast<std::ptrdiff_t>(ring_starts[ring]);
+    }
     Solid view() const {
         return {vertices.data(),
                 static_cast<std::uint32_t>(vertices.size()),
@@ -149,9 +152,9 @@ TEST(Check, NamesTheRingThatIsTooShort) {
     for (std::uint32_t ring = 0; ring < 5; ++ring) {
         for (const std::uint32_t length : {0U, 1U, 2U}) {
             Wedge wedge;
-            const auto first = wedge.corners.begin() + wedge.ring_starts[ring];
             const std::uint32_t dropped = wedge.ring_starts[ring + 1] - wedge.ring_starts[ring] - length;
-            wedge.corners.erase(first, first + dropped);
+            wedge.corners.erase(wedge.first_of(ring),
+                                wedge.first_of(ring) + static_cast<std::ptrdiff_t>(dropped));
             for (std::uint32_t r = ring + 1; r <= 5; ++r) wedge.ring_starts[r] -= dropped;
             const CheckOutcome outcome = wedge.checked();
             ASSERT_EQ(outcome.status, Status::ring_too_short);
@@ -180,8 +183,7 @@ TEST(Check, NamesAnEdgeTheWayThatIsUsedTooOften) {
     for (std::uint32_t face = 0; face < 5; ++face) {
         for (const bool turned : {false, true}) {
             Wedge wedge;
-            std::vector<std::uint32_t> ring(wedge.corners.begin() + wedge.ring_starts[face],
-                                            wedge.corners.begin() + wedge.ring_starts[face + 1]);
+            std::vector<std::uint32_t> ring(wedge.first_of(face), wedge.first_of(face + 1));
             if (turned) std::reverse(ring.begin(), ring.end());
             wedge.corners.insert(wedge.corners.end(), ring.begin(), ring.end());
             wedge.ring_starts.push_back(static_cast<std::uint32_t>(wedge.corners.size()));

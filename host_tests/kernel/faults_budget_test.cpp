@@ -61,7 +61,8 @@ TEST(BudgetFaults, ComponentLabelling) {
     ComponentLabelling job;
     for (const std::uint8_t colours : {inner_solid, outer_void}) {
         const CellComponents truth = cell_components(of.grid, colours, Connectivity::faces);
-        std::vector<std::uint32_t> scratch(component_scratch(measure(of.tree), colours));
+        std::vector<std::uint32_t> scratch(
+            static_cast<std::size_t>(component_scratch(measure(of.tree), colours)));
         const auto begin = [&] {
             job.begin(of.tree, colours, Connectivity::faces, scratch.data(),
                       static_cast<std::uint32_t>(scratch.size()));

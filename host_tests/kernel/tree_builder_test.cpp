@@ -170,6 +170,35 @@ TEST(TreeBuilder, GrandchildrenAndThoseLeftOpen) {
     }
 }
 
+TEST(TreeBuilder, SixtyFourEqualLeavesAreOne) {
+    TreeBuilder builder;
+    builder.begin(nullptr);
+    builder.subtree(1, ~std::uint64_t{0}, ~std::uint64_t{0});
+    builder.subtree(2, ~std::uint64_t{0}, 0);
+    builder.subtree(4, 0, 0);
+    builder.close();
+    const TreeOutcome outcome = builder.finish(1);
+    EXPECT_EQ(outcome.nodes_needed, 0U);
+    EXPECT_EQ(outcome.tree.top, Node::of(0b0110, 0b0010, 0));
+}
+
+TEST(TreeBuilder, SubtreesAndGrandchildrenAtFullDepth) {
+    for (const bool as_subtree : {false, true}) {
+        HeapPool pool(40);
+        TreeBuilder builder;
+        builder.begin(&*pool);
+        const int opened = as_subtree ? max_depth - 3 : max_depth - 2;
+        for (int level = 0; level < opened; ++level) builder.open(0);
+        as_subtree ? builder.subtree(0, 1, 1) : builder.grandchildren(1, 1);
+        for (int level = 0; level <= opened; ++level) builder.close();
+        const TreeOutcome outcome = builder.finish(max_depth);
+        EXPECT_EQ(outcome.nodes_needed, static_cast<std::uint32_t>(max_depth - 1));
+        const Measures measures = measure(outcome.tree);
+        EXPECT_EQ(measures.inner_volume, 1U);
+        EXPECT_EQ(measures.outer_volume, 1U);
+    }
+}
+
 TEST(TreeBuilder, SubtreesAreCountedWhenThePoolRunsOut) {
     const DenseGrid grid = random_grid(3, 5, three_colours);
     const std::uint32_t needed = plant(grid, nullptr).nodes_needed;

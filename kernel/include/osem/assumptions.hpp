@@ -20,8 +20,9 @@ static_assert(static_cast<std::int8_t>(std::uint8_t{0xff}) == -1 &&
                   static_cast<std::int64_t>(std::uint64_t{0xffffffffffffffff}) == -1,
               "conversion to a signed type keeps the bits");
 
-// Operands narrower than int are widened to int, and constants of 32 bits are unsigned int.
-static_assert(sizeof(int) >= 4, "int of 32 bits or more");
+// Operands narrower than int are widened to int, constants of 32 bits are unsigned int, and products of these
+// wrap around at 2^32.
+static_assert(sizeof(int) == 4, "int of 32 bits");
 
 // Words of scratch, nodes and corners have numbers of 32 bits.
 static_assert(sizeof(std::size_t) >= 4, "arrays of 2^32 bytes can be indexed");

@@ -15,9 +15,9 @@ struct TreeOutcome {
     Status status;
     std::uint32_t nodes_needed; ///< nodes the tree takes from the pool beside those it shares; 2^32 - 1: that
                                 ///< many or more
-    std::uint32_t
-        nodes_missing; ///< with pool_exhausted: how many more free nodes it would have needed; else 0
-    Octree tree;       ///< meaningful when status is ok and the build was not a counting pass
+    std::uint32_t nodes_missing; ///< with pool_exhausted: how many more free nodes it would have needed (0,
+                                 ///< for unknown, if the build was given up); else 0
+    Octree tree; ///< meaningful when status is ok and the build was not a counting pass
 };
 
 /// The octants of the tree are opened and closed in depth-first order. When the pool runs out it is rolled
@@ -42,8 +42,9 @@ class TreeBuilder {
 
     /// Sets all 64 octants two levels below the open one as leaves by two sets in Morton order (bit 8c + g is
     /// child g of child c), eight equal ones as one leaf; but leaves out children that hold an octant of
-    /// `open`, which stay leaves, to be opened yet. Precondition: fewer than max_depth octants are open.
-    void grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t open = 0);
+    /// `to_open`: they are leaves until they are opened. Preconditions: none of the 64 is grey, and fewer
+    /// than max_depth octants are open.
+    void grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t to_open = 0);
 
     /// Makes child `child` of the open octant a subtree of 64 such leaves: as open(child),
     /// grandchildren(may, must), close(), in one step. Precondition: fewer than max_depth - 1 octants are
@@ -69,9 +70,9 @@ class TreeBuilder {
     std::uint32_t nodes_counted() const { return needed_; }
 
     /// The tree, or what kept it from being. Status: ok; pool_exhausted; unfinished when the root octant is
-    /// still open or nothing was begun, in which case the pool is as it was, and the build is given up: asked
-    /// again it is unfinished. Precondition: depth is in [1,
-    /// 20], and no leaf is deeper.
+    /// still open or nothing was begun (pool_exhausted if the pool has run out by then), in which case the
+    /// pool is as it was, and the build is given up: asked again it is unfinished. Precondition: depth is in
+    /// [1, 20], and no leaf is deeper.
     TreeOutcome finish(int depth);
 
     /// Gives the pool's nodes back, as if the build had never begun. After finish it does nothing.

@@ -11,7 +11,7 @@ namespace osem {
 
 struct SeenEdge;
 
-/// A face and a grid, which must both outlive it. Costs: O(corners of the face).
+/// A face and a grid, which must both outlive it. Cost of making it: O(corners of the face).
 class FaceInGrid {
   public:
     static constexpr std::uint32_t scratch_words = 48;

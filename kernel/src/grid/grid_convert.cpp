@@ -1,7 +1,6 @@
 #include "osem/grid_convert.hpp"
 
 #include "classify/crossing.hpp"
-#include "convert/inside.hpp"
 #include "grid/face_in_grid.hpp"
 #include "grid/leaves.hpp"
 #include "tree/masks.hpp"
@@ -12,6 +11,13 @@ namespace osem {
 namespace {
 
 constexpr std::uint32_t winding_words = 64; // of the reference points of the octants met, in Morton order
+
+// They are also where a face's octants and tables lie; and a last grid's space is for its tables, then for
+// its parts.
+static_assert(winding_words >= 16 + FaceInGrid::scratch_words, "room to meet a face above the last grid");
+static_assert(last_grid_space(1) >= FaceInGrid::scratch_words, "room to meet a face in the last grid");
+static_assert(last_grid_space(4) >= 16 + 4 && last_grid_space(5) >= 64 + 16 + 4,
+              "room for the parts' states");
 
 // Words an entry of a list: a face; above the last grid also the octants that it meets, the low half first.
 constexpr std::uint32_t entry_words(bool last) { return last ? 1 : 3; }
@@ -48,10 +54,6 @@ struct GridList {
         }
     }
 };
-
-std::uint8_t children_of(std::uint64_t set, unsigned child) {
-    return static_cast<std::uint8_t>(set >> (8 * child));
-}
 
 } // namespace
 

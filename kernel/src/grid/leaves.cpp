@@ -8,7 +8,7 @@ namespace osem {
 namespace {
 
 // The state of an octant that is made up of parts of 4 x 4 x 4 leaves, or of one part, in four bits: whether
-// some leaves may be black, all are, all are boundary.
+// some leaves hold solid or may, all are black, all are boundary. So 0 is white, 3 black, 5 boundary, and:
 constexpr std::uint32_t differing = 1;
 constexpr std::uint32_t every_state = 0x11111111;
 

@@ -17,7 +17,7 @@ struct GridLeaves {
     std::uint32_t* scratch;      ///< a word for each 16 rows, for each 64 of them, and so on down to 4 words
 
     /// Sets what is below the open octant, which the grid makes up. Cost: O(rows), and for each part of
-    /// 4 x 4 x 4 leaves that are not all alike as many steps as there are leaves.
+    /// 4 x 4 x 4 leaves that are not all alike its 16 rows (32 where some are boundary) and up to 8 nodes.
     void set(TreeBuilder& builder) const;
 
   private:

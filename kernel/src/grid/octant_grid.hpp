@@ -118,6 +118,15 @@ constexpr unsigned place_of(unsigned m) {
     return (m & 1U) + (m & 2U) * 2 + (m & 4U) * 4 + (child & 1U) * 2 + (child & 2U) * 4 + (child & 4U) * 8;
 }
 
+// unreachable: at run time, as the compiler asks.
+constexpr bool places_are_right() {
+    for (unsigned m = 0; m < 64; ++m) {
+        if (in_morton_order(std::uint64_t{1} << place_of(m)) != std::uint64_t{1} << m) return false;
+    }
+    return true;
+}
+static_assert(places_are_right(), "the order and the places in it belong together");
+
 } // namespace osem
 
 #endif

@@ -5,8 +5,7 @@ namespace osem {
 // One more plane, for numbers of one row that have outgrown theirs: of those the sign is wrong.
 void RowWindings::widen(std::uint32_t row, std::uint32_t outgrown) {
     overflowed_ = overflowed_ || (planes_ + 2) * rows_ > room_;
-    // unreachable: more than 32 planes, as numbers stay in 32 bits like the sums of crossings that they are.
-    if (overflowed_ || planes_ == 32) return;
+    if (overflowed_) return;
     const std::uint32_t* const signs = plane(planes_ - 1);
     std::uint32_t* const added = plane(planes_++);
     for (std::uint32_t r = 0, rows = rows_; r < rows; ++r) added[r] = signs[r];

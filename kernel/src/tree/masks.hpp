@@ -23,6 +23,11 @@ constexpr std::uint8_t without_lowest(std::uint8_t mask) {
     return static_cast<std::uint8_t>(mask & (mask - 1U));
 }
 
+/// The members 8 child to 8 child + 7 of a set in Morton order.
+constexpr std::uint8_t children_of(std::uint64_t set, unsigned child) {
+    return static_cast<std::uint8_t>(set >> (8 * child));
+}
+
 /// Sets the two bits of one child to a colour.
 inline void assign_colour(std::uint8_t& may, std::uint8_t& must, unsigned child, Colour colour) {
     const unsigned bits = static_cast<unsigned>(colour);

@@ -10,10 +10,6 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
-std::uint8_t children_of(std::uint64_t set, unsigned child) {
-    return static_cast<std::uint8_t>(set >> (8 * child));
-}
-
 // The bytes of a set as members of a mask, by their lowest bits.
 constexpr std::uint8_t lowest_of_bytes(std::uint64_t set) {
     set &= 0x0101010101010101;
@@ -68,17 +64,19 @@ void TreeBuilder::open(unsigned child) {
 }
 
 void TreeBuilder::leaves(std::uint8_t may, std::uint8_t must) {
+    OSEM_ASSERT((must & ~may) == 0);
     levels_[level_].may = may;
     levels_[level_].must = must;
 }
 
 void TreeBuilder::leaf(unsigned child, Colour colour) {
-    OSEM_ASSERT(colour != Colour::grey);
+    OSEM_ASSERT(child < 8 && colour != Colour::grey);
     Level& level = levels_[level_];
     assign_colour(level.may, level.must, child, colour);
 }
 
 void TreeBuilder::graft(unsigned child, const Node& node) {
+    OSEM_ASSERT(child < 8);
     Level& level = levels_[level_];
     assign_colour(level.may, level.must, child, Colour::grey);
     level.pending[child] = node;
@@ -104,17 +102,18 @@ NodeIndex TreeBuilder::write_group(const Node* nodes, std::uint32_t count) {
     return first;
 }
 
-void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t open) {
+void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t to_open) {
+    OSEM_ASSERT(level_ + 1 < max_depth && (must & ~may) == 0);
     const std::uint8_t uniform = uniform_children(may, must);
     leaves(lowest_of_bytes(may) & uniform, lowest_of_bytes(must) & uniform);
     for (auto left = static_cast<std::uint8_t>(~uniform); left != 0; left = without_lowest(left)) {
         const unsigned child = lowest(left);
-        if (children_of(open, child) == 0) graft(child, node_of_eight(may, must, child));
+        if (children_of(to_open, child) == 0) graft(child, node_of_eight(may, must, child));
     }
 }
 
 void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must) {
-    OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8);
+    OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8 && (must & ~may) == 0);
     const std::uint8_t uniform = uniform_children(may, must);
     const auto grey = static_cast<std::uint8_t>(~uniform);
     Node group[8];
