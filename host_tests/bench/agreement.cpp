@@ -12,30 +12,6 @@ namespace osem::bench {
 
 namespace {
 
-// The cells of a tree's black leaves, found leaf by leaf.
-BitGrid bits_of(const Octree& tree, int depth) {
-    const std::uint32_t side = 1U << depth;
-    const int shift = lattice_bits - depth;
-    BitGrid bits;
-    bits.side = side;
-    bits.words.assign(std::size_t{side} * side * side / 64, 0);
-    LeafWalk walk(tree);
-    for (Leaf leaf{}; walk.next(leaf);) {
-        if (leaf.colour != Colour::black) continue;
-        const auto low = [&](int axis) {
-            return static_cast<std::size_t>(leaf.octant.corner.at[axis] >> shift);
-        };
-        const auto length = static_cast<std::uint32_t>(leaf.octant.side() >> shift);
-        for (std::size_t z = low(2); z < low(2) + length; ++z) {
-            for (std::size_t y = low(1); y < low(1) + length; ++y) {
-                const auto x = static_cast<std::uint32_t>(low(0));
-                set_bits(&bits.words[(z * side + y) * side / 64], x, x + length);
-            }
-        }
-    }
-    return bits;
-}
-
 // Ends the program unless the centre tree, the runs and the bits are one set of cells; returns their number.
 std::uint64_t agreed_cells(const std::string& name, int depth, const std::string& what) {
     const BenchSolid& solid = solid_of(name);
@@ -72,6 +48,29 @@ void require(bool holds, const std::string& message) {
     if (holds) return;
     std::fprintf(stderr, "%s\n", message.c_str());
     std::exit(1);
+}
+
+BitGrid bits_of(const Octree& tree, int depth) {
+    const std::uint32_t side = 1U << depth;
+    const int shift = lattice_bits - depth;
+    BitGrid bits;
+    bits.side = side;
+    bits.words.assign(std::size_t{side} * side * side / 64, 0);
+    LeafWalk walk(tree);
+    for (Leaf leaf{}; walk.next(leaf);) {
+        if (leaf.colour != Colour::black) continue;
+        const auto low = [&](int axis) {
+            return static_cast<std::size_t>(leaf.octant.corner.at[axis] >> shift);
+        };
+        const auto length = static_cast<std::uint32_t>(leaf.octant.side() >> shift);
+        for (std::size_t z = low(2); z < low(2) + length; ++z) {
+            for (std::size_t y = low(1); y < low(1) + length; ++y) {
+                const auto x = static_cast<std::uint32_t>(low(0));
+                set_bits(&bits.words[(z * side + y) * side / 64], x, x + length);
+            }
+        }
+    }
+    return bits;
 }
 
 const Agreement& agreement_on(const std::string& solid, int depth) {

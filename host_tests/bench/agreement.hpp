@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bench/solids.hpp"
+#include "osem/octree.hpp"
 
 namespace osem::bench {
 
@@ -18,6 +19,11 @@ struct Agreement {
     std::uint64_t inner_cells;    ///< inside throughout
     std::uint64_t boundary_cells; ///< which a face meets
 };
+
+struct BitGrid;
+
+/// The cells of a tree's black leaves at a depth, found leaf by leaf.
+BitGrid bits_of(const Octree& tree, int depth);
 
 /// Converts by every exact method, once for each solid and depth; ends the program where they differ: the
 /// centre tree, the runs and the bits must be the same cells, one by one, and their number must lie between

@@ -27,18 +27,29 @@ OsemPair& trees_of(const Pair& pair, LeafRule leaves) {
     return *made;
 }
 
-std::uint64_t agreed_cells(const Pair& pair, Operator op) {
-    OsemPair& trees = trees_of(pair, LeafRule::centre);
+namespace {
+
+Octree agreed_tree(const Pair& pair, Operator op, LeafRule leaves, const std::string& what) {
+    OsemPair& trees = trees_of(pair, leaves);
     trees.prepare(op);
     const Octree result = trees.combine_in_pool(op);
-    const std::string what = pair.a + " and " + pair.b + " at depth " + std::to_string(pair.depth);
     require(trees.combine_streams(op) == stream_of(result), what + ": streams and pool differ");
+    return result;
+}
+
+} // namespace
+
+std::uint64_t agreed_cells(const Pair& pair, Operator op) {
+    const std::string what = pair.a + " and " + pair.b + " at depth " + std::to_string(pair.depth);
+    static_cast<void>(agreed_tree(pair, op, LeafRule::conservative, what));
+    const Octree result = agreed_tree(pair, op, LeafRule::centre, what);
     const RunPair runs = runs_of(pair);
     RunGrid combined;
     combine(op, runs.a, runs.b, combined);
-    const std::uint64_t cells = measure(result).inner_volume / volume_at(pair.depth);
-    require(cells == combined.cells(), what + ": tree and runs differ");
-    return cells;
+    BitGrid bits;
+    fill_bits(combined, bits);
+    require(bits.words == bits_of(result, pair.depth).words, what + ": tree and runs differ");
+    return combined.cells();
 }
 
 } // namespace osem::bench

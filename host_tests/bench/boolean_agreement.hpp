@@ -1,4 +1,4 @@
-// Operands of Booleans, and the check that all methods give one result before any is timed.
+// Operands of Booleans, and the check that Osem's and the runs' results are one before any is timed.
 #ifndef OSEM_BENCH_BOOLEAN_AGREEMENT_HPP
 #define OSEM_BENCH_BOOLEAN_AGREEMENT_HPP
 
@@ -32,8 +32,9 @@ RunPair runs_of(const Pair& pair);
 /// benchmarks of one pair follow each other.
 OsemPair& trees_of(const Pair& pair, LeafRule leaves);
 
-/// Combines centre trees in their pool and as streams, and runs. Ends the program unless the streams are
-/// those of the pool's result and the runs have as many cells; returns their number.
+/// Combines trees in their pool and as streams, by both leaf rules, and runs. Ends the program unless the
+/// streams are those of the pool's results, and the runs' cells are those of the centre tree, one by one;
+/// returns their number.
 std::uint64_t agreed_cells(const Pair& pair, Operator op);
 
 } // namespace osem::bench

@@ -45,11 +45,13 @@ bool combine(Operator op, Mesh& a, Mesh& b, Mesh& result) {
 void run(benchmark::State& state, const Pair& pair, Operator op) {
     const Mesh a = mesh_of(pair.a);
     const Mesh b = mesh_of(pair.b);
+    Mesh copy_of_a;
+    Mesh copy_of_b;
     Mesh result;
     for (auto _ : state) {
         state.PauseTiming();
-        Mesh copy_of_a = a;
-        Mesh copy_of_b = b;
+        copy_of_a = a;
+        copy_of_b = b;
         result.clear();
         state.ResumeTiming();
         if (!combine(op, copy_of_a, copy_of_b, result)) {

@@ -27,7 +27,7 @@ class OsemConversion {
     const Octree& tree() const { return tree_; }
 
     const Job& job() const { return *job_; }
-    std::uint64_t result_bytes() const { return nodes_ * sizeof(Node); }
+    std::uint64_t result_bytes() const { return pool_->pool().used() * sizeof(Node); }
     /// Pool, scratch and the job itself.
     std::uint64_t memory_bytes() const {
         return result_bytes() + scratch_.size() * sizeof scratch_[0] + sizeof(Job);

@@ -4,6 +4,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+from targets import PAIR  # noqa: E402
+
 STYLE = {
     "scan-runs": ("black", "o"), "scan-bits": ("grey", "s"), "osem-centre": ("tab:blue", "o"),
     "osem-three": ("tab:cyan", "s"), "plain-centre": ("tab:blue", "x"), "plain-three": ("tab:cyan", "x"),
@@ -36,9 +38,10 @@ def by_faces(axes, found, prefix, title):
 
 
 def booleans(axes, found):
-    bars = [(one["method"], one["ms"]) for one in found.as_list() if one["theme"] == "union" and one["side"] == 1024]
+    bars = [(one["method"], one["ms"]) for one in found.as_list() 
+            if one["theme"] == "union" and one["solid"] == PAIR and one["side"] == 1024]
     axes.barh([method for method, _ in bars], [ms for _, ms in bars], log=True)
-    axes.set(title="Union of two trees at 1024", xlabel="ms")
+    axes.set(title=f"Union of {PAIR} at 1024", xlabel="ms")
 
 
 def draw(found, path):

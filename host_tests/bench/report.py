@@ -79,7 +79,9 @@ def details(found, theme, columns):
 def report(found):
     parts = ["# Osem measured\n", found.context() + "\n"]
     parts += ["Milliseconds of one thread's processor time, the least of the repetitions; in brackets how many times "
-              "the floor's, which is the exact scanline (runs).\n"]
+              "the floor's, which is the exact scanline (runs). Osem's conversions write into a pool of the right size, which a "
+              "counting pass has found that is not timed (but where there are several threads: both passes are); what others "
+              "make is freed while the clock stands.\n"]
     for theme, title in TITLES.items():
         if not found.subjects(theme):
             continue

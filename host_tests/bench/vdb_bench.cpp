@@ -86,8 +86,15 @@ void run_fill(benchmark::State& state, const std::string& solid, int depth) {
         mask = openvdb::tools::sdfInteriorMask(*field);
         return field;
     };
-    const std::uint64_t memory = convert()->memUsage() + mask->memUsage();
-    for (auto _ : state) convert();
+    FloatGrid::Ptr field = convert();
+    const std::uint64_t memory = field->memUsage() + mask->memUsage();
+    for (auto _ : state) {
+        state.PauseTiming(); // while what was made before is freed
+        field.reset();
+        mask.reset();
+        state.ResumeTiming();
+        field = convert();
+    }
 
     const MaskGrid::Ptr exact = exact_mask(solid, depth);
     require(exact->activeVoxelCount() == cells, "OpenVDB's mask of the octree has other cells");
@@ -141,7 +148,12 @@ void run_csg(benchmark::State& state, const Pair& pair, Operator op) {
     const FloatGrid::Ptr a = level_set(pair.a, pair.depth, 3);
     const FloatGrid::Ptr b = level_set(pair.b, pair.depth, 3);
     FloatGrid::Ptr result;
-    for (auto _ : state) result = csg(op, *a, *b);
+    for (auto _ : state) {
+        state.PauseTiming(); // while what was made before is freed
+        result.reset();
+        state.ResumeTiming();
+        result = csg(op, *a, *b);
+    }
     state.counters["cells"] =
         static_cast<double>(openvdb::tools::sdfInteriorMask(*result)->activeVoxelCount());
     state.counters["result_bytes"] = static_cast<double>(result->memUsage());
