@@ -17,7 +17,7 @@ struct TreeOutcome {
                                 ///< many or more
     std::uint32_t nodes_missing; ///< with pool_exhausted: how many more free nodes it would have needed (0,
                                  ///< for unknown, if the build was given up); else 0
-    Octree tree; ///< meaningful when status is ok and the build was not a counting pass
+    Octree tree;                 ///< meaningful when status is ok and the build was not a counting pass
 };
 
 /// The octants of the tree are opened and closed in depth-first order. When the pool runs out it is rolled
