@@ -192,7 +192,6 @@ MUTATIONS = [
      "a right end on a line of the grid"),
     ("grid/leaves.cpp", "across | across >> 4 | (a ^ a >> 4)", "across | (a ^ a >> 4)",
      "half of the parts on the high sides are not looked at"),
-    ("grid/octant_grid.hpp", "set ^ changes ^ changes << difference", "set ^ changes << difference", "moved members stay"),
     ("grid/face_in_grid.cpp", "return turns == 4 || turns == -4;", "return turns != 0;", "arrows are convex"),
     ("grid/row_windings.cpp", "from + 1 >= planes_", "from > planes_", "large numbers in too few planes"),
     ("grid/row_windings.cpp", "if (outgrown != 0) return false;", "", "rows raised over what two planes hold"),
