@@ -134,18 +134,23 @@ void expect_tree_of(const DenseGrid& grid, const TreeOutcome& outcome) {
     EXPECT_EQ(digest(outcome.tree), expected_digest(grid));
 }
 
+// Of depth 3, by subtrees.
+TreeOutcome plant_subtrees(const DenseGrid& grid, NodePool& pool) {
+    TreeBuilder builder;
+    builder.begin(&pool);
+    for (unsigned child = 0; child < 8; ++child) {
+        const Sets sets(grid, 64 * child);
+        builder.subtree(child, sets.may, sets.must);
+    }
+    builder.close();
+    return builder.finish(3);
+}
+
 TEST(TreeBuilder, SubtreesFromLeavesOfTwoLevels) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         const DenseGrid grid = random_grid(3, seed, three_colours);
         HeapPool pool(600);
-        TreeBuilder builder;
-        builder.begin(&*pool);
-        for (unsigned child = 0; child < 8; ++child) {
-            const Sets sets(grid, 64 * child);
-            builder.subtree(child, sets.may, sets.must);
-        }
-        builder.close();
-        expect_tree_of(grid, builder.finish(3));
+        expect_tree_of(grid, plant_subtrees(grid, *pool));
     }
 }
 
@@ -206,14 +211,7 @@ TEST(TreeBuilder, SubtreesAreCountedWhenThePoolRunsOut) {
         HeapPool pool(3 + room);
         pool.fill_to(3);
         const PoolImage before(pool);
-        TreeBuilder builder;
-        builder.begin(&*pool);
-        for (unsigned child = 0; child < 8; ++child) {
-            const Sets sets(grid, 64 * child);
-            builder.subtree(child, sets.may, sets.must);
-        }
-        builder.close();
-        const TreeOutcome outcome = builder.finish(3);
+        const TreeOutcome outcome = plant_subtrees(grid, *pool);
         EXPECT_EQ(outcome.status, Status::pool_exhausted);
         EXPECT_EQ(outcome.nodes_missing, needed - room);
         EXPECT_TRUE(before.same_nodes(pool));

@@ -47,8 +47,8 @@ class TreeBuilder {
     void grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t to_open = 0);
 
     /// Makes child `child` of the open octant a subtree of 64 such leaves: as open(child),
-    /// grandchildren(may, must), close(), in one step. Precondition: fewer than max_depth - 1 octants are
-    /// open.
+    /// grandchildren(may, must), close(), in one step. Preconditions: none of the 64 is grey, and fewer
+    /// than max_depth - 1 octants are open.
     void subtree(unsigned child, std::uint64_t may, std::uint64_t must);
 
     /// Makes child `child` of the open octant an existing subtree of the same pool, shared. Preconditions:
