@@ -18,6 +18,7 @@ namespace osem::fuzz {
 
 namespace {
 
+using tests::is_beyond;
 using tests::leaves_of;
 using tests::same_leaf;
 
@@ -78,20 +79,6 @@ bool same(const Passage& passage, const tests::Stay& stay) {
            passage.ends == (stay.exit.axis < 0) &&
            (passage.begins || passage.entered_axis == stay.entry.axis) &&
            (passage.ends || passage.left_axis == stay.exit.axis);
-}
-
-// Whether the other octant has cells beyond the face and along it.
-bool is_beyond(const Octant& octant, OctantFace face, const Octant& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::int32_t low = octant.corner.at[axis];
-        const std::int32_t high = low + octant.side();
-        const std::int32_t other_low = other.corner.at[axis];
-        const std::int32_t other_high = other_low + other.side();
-        if (axis != face.axis && (other_low >= high || other_high <= low)) return false;
-        if (axis == face.axis && face.high && (other_low > high || other_high <= high)) return false;
-        if (axis == face.axis && !face.high && (other_low >= low || other_high < low)) return false;
-    }
-    return true;
 }
 
 } // namespace

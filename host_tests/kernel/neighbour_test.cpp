@@ -10,6 +10,7 @@
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/leaf_list.hpp"
+#include "support/query_oracles.hpp"
 
 namespace osem::tests {
 
@@ -17,21 +18,6 @@ namespace {
 
 const std::vector<OctantFace> all_faces = {{axis_x, false}, {axis_x, true},  {axis_y, false},
                                            {axis_y, true},  {axis_z, false}, {axis_z, true}};
-
-// Whether the other octant has cells beyond the face and along it.
-bool is_beyond(const Octant& octant, OctantFace face, const Octant& other) {
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        const std::int32_t low = octant.corner.at[axis];
-        const std::int32_t high = low + octant.side();
-        const std::int32_t other_low = other.corner.at[axis];
-        const std::int32_t other_high = other_low + other.side();
-        const bool share = axis != face.axis ? other_low < high && other_high > low
-                                             : (face.high ? other_low <= high && other_high > high
-                                                          : other_low < low && other_high >= low);
-        if (!share) return false;
-    }
-    return true;
-}
 
 ::testing::AssertionResult agrees(const Octree& tree, const std::vector<Leaf>& leaves, const Octant& octant,
                                   OctantFace face) {

@@ -9,6 +9,7 @@
 
 #include "osem/collide.hpp"
 #include "osem/nearest.hpp"
+#include "osem/neighbour.hpp"
 #include "osem/ray.hpp"
 #include "support/dense_grid.hpp"
 
@@ -159,6 +160,20 @@ inline Contact expected_contact(const std::vector<Leaf>& a, const std::vector<Le
         for (const Leaf& of_b : b) strongest = std::max(strongest, contact_of(of_a, of_b, offset));
     }
     return strongest;
+}
+
+/// Whether the other octant has cells beyond the face and along it.
+inline bool is_beyond(const Octant& octant, OctantFace face, const Octant& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int32_t low = octant.corner.at[axis];
+        const std::int32_t high = low + octant.side();
+        const std::int32_t other_low = other.corner.at[axis];
+        const std::int32_t other_high = other_low + other.side();
+        if (axis != face.axis && (other_low >= high || other_high <= low)) return false;
+        if (axis == face.axis && face.high && (other_low > high || other_high <= high)) return false;
+        if (axis == face.axis && !face.high && (other_low >= low || other_high < low)) return false;
+    }
+    return true;
 }
 
 } // namespace osem::tests
