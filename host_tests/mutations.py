@@ -119,8 +119,9 @@ MUTATIONS = [
     ("boolean/boolean.cpp", "boundaries(a) | boundaries(b)", "boundaries(a)", "exclusive or with a boundary leaf"),
     ("boolean/boolean.cpp", "        s.descend = mask(s.descend | s.share_b);\n", "",
      "what is left of black when a tree is subtracted"),
-    ("boolean/boolean.cpp", "op_ != Operator::unite && op_ != Operator::intersect", "op_ == Operator::subtract",
+    ("boolean/boolean.cpp", "op_ == Operator::unite || op_ == Operator::intersect", "op_ != Operator::subtract",
      "a tree xor itself is itself"),
+    ("boolean/boolean.cpp", "a.grey() == 0 && b.grey() == 0", "a.grey() == 0", "what b has below a leaf of a is lost"),
     ("boolean/boolean.cpp", "a.depth > b.depth ? a.depth : b.depth", "a.depth", "the deeper operand's depth"),
     # transform
     ("transform/translation.cpp", "if (low > 0 || high < half)", "if (low >= 0 || high < half)", "a border between children"),

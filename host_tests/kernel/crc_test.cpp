@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "osem/config.hpp"
-#include "stream/codes.hpp"
 #include "support/byte_stream.hpp"
 
 #undef OSEM_FAST_CRC
@@ -33,15 +32,6 @@ TEST(Crc, BothTablesGiveThePlainOne) {
             const std::size_t half = count / 2;
             const std::uint32_t first = crc_append_by_small_table(0, bytes.data() + start, half);
             ASSERT_EQ(crc_append_by_small_table(first, bytes.data() + start + half, count - half), expected);
-        }
-    }
-}
-
-// What parts without a count of leading zeros look up.
-TEST(Codes, TheLowestBitIsFoundByTheTable) {
-    for (unsigned number = 0; number <= 16; number += 2) {
-        for (unsigned above = 0; above < 8; ++above) {
-            EXPECT_EQ(plain_lowest_bit((1U << number) | (0x15U * above) << (number + 2)), number);
         }
     }
 }

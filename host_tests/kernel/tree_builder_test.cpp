@@ -4,6 +4,7 @@
 
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
+#include "tree/masks.hpp"
 
 namespace osem::tests {
 
@@ -154,6 +155,33 @@ TEST(TreeBuilder, SubtreesFromLeavesOfTwoLevels) {
     }
 }
 
+TEST(TreeBuilder, EightLeavesInOneStep) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        const DenseGrid grid = random_grid(2, seed, three_colours);
+        const Sets sets(grid, 0);
+        HeapPool pool(8);
+        TreeBuilder builder;
+        builder.begin(&*pool);
+        for (unsigned child = 0; child < 8; ++child) {
+            builder.eight_leaves(child, children_of(sets.may, child), children_of(sets.must, child));
+        }
+        builder.close();
+        expect_tree_of(grid, builder.finish(2));
+    }
+}
+
+TEST(TreeBuilder, EightEqualLeavesInOneStepAreOne) {
+    TreeBuilder builder;
+    builder.begin(nullptr);
+    builder.eight_leaves(0, 0xff, 0xff);
+    builder.eight_leaves(3, 0xff, 0x00);
+    builder.eight_leaves(5, 0x00, 0x00);
+    builder.close();
+    const TreeOutcome outcome = builder.finish(1);
+    EXPECT_EQ(outcome.nodes_needed, 0U);
+    EXPECT_EQ(outcome.tree.top, Node::of(0b1001, 0b0001, 0));
+}
+
 TEST(TreeBuilder, GrandchildrenAndThoseLeftOpen) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         const DenseGrid grid = random_grid(2, seed, three_colours);
@@ -166,8 +194,7 @@ TEST(TreeBuilder, GrandchildrenAndThoseLeftOpen) {
                               opened < 8 ? std::uint64_t{1} << (8 * opened + seed % 8) : 0);
         if (opened < 8) {
             builder.open(opened);
-            builder.leaves(static_cast<std::uint8_t>(sets.may >> (8 * opened)),
-                           static_cast<std::uint8_t>(sets.must >> (8 * opened)));
+            builder.leaves(children_of(sets.may, opened), children_of(sets.must, opened));
             builder.close();
         }
         builder.close();

@@ -26,6 +26,7 @@ void measure_builder() {
     builder.open(3);
     builder.leaf(2, Colour::black);
     builder.close();
+    measured("TreeBuilder::eight_leaves", [&] { builder.eight_leaves(5, 0x0f, 0x01); });
     measured("TreeBuilder::subtree", [&] { builder.subtree(4, 0x00ff0f0000000000, 0x00ff010000000000); });
     measured("TreeBuilder::graft", [&] { builder.graft(5, Node::of(0x0f, 0x01, 0)); });
     const Node unlike = Node::of(0x00, 0x28, 0);

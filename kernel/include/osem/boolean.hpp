@@ -43,12 +43,13 @@ class Combination {
   private:
     struct Frame {
         Node a;
-        Node b;            ///< its masks complemented where the operator subtracts
-        std::uint8_t left; ///< children still to be entered
+        Node b;
+        std::uint8_t left; ///< children still to be combined
     };
-    void enter(const Node& a, const Node& b, unsigned child);
-    void graft_common(Frame& frame);
-    Node child_of(const Node& node, unsigned child, bool complement) const;
+    void combine_children(const Node& a, const Node& b, unsigned child);
+    void enter(const Node& a, const Node& b);
+    bool is_common(const Node& a, const Node& b) const;
+    const Node& child_of(const Node& node, unsigned child) const;
 
     NodePool* pool_ = nullptr;
     Operator op_ = Operator::unite;

@@ -46,6 +46,10 @@ class TreeBuilder {
     /// than max_depth octants are open.
     void grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t to_open = 0);
 
+    /// Makes child `child` of the open octant one of eight leaves: as open(child), leaves(may, must),
+    /// close(), in one step. Preconditions: those of open, and no child of it is grey.
+    void eight_leaves(unsigned child, std::uint8_t may, std::uint8_t must);
+
     /// Makes child `child` of the open octant a subtree of 64 such leaves: as open(child),
     /// grandchildren(may, must), close(), in one step. Preconditions: none of the 64 is grey, and fewer
     /// than max_depth - 1 octants are open.

@@ -54,6 +54,10 @@ Settlement settle(Operator op, const Node& a, const Node& b) {
 // Swapping and inverting the masks complements every leaf and leaves grey grey.
 Node complemented(const Node& node) { return Node::of(mask(~node.must), mask(~node.may), node.first()); }
 
+// What a leaf stands for where the other operand has a node, by its colour.
+constexpr Node uniform_nodes[] = {Node::uniform(Colour::white), Node::uniform(Colour::boundary), Node{},
+                                  Node::uniform(Colour::black)};
+
 } // namespace
 
 Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePool& pool, bool count_only) {
@@ -63,10 +67,10 @@ Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePoo
     op_ = op;
     complement_b_ = op == Operator::subtract; // a minus b is a and not b
     depth_ = a.depth > b.depth ? a.depth : b.depth;
-    level_ = -1;
-    visited_ = 0;
+    level_ = 0;
+    visited_ = 1;
     builder_.begin(&pool, count_only);
-    enter(a.top, complement_b_ ? complemented(b.top) : b.top, 0);
+    enter(a.top, b.top);
     return Status::ok;
 }
 
@@ -78,11 +82,19 @@ bool Combination::step(std::uint32_t nodes) {
             --level_;
             continue;
         }
-        if (nodes == 0) return true;
-        --nodes;
         const unsigned child = lowest(frame.left);
+        const Node& a = child_of(frame.a, child);
+        const Node& b = child_of(frame.b, child);
+        if (is_common(a, b)) {
+            builder_.graft(child, a);
+        } else if (nodes == 0) {
+            return true;
+        } else {
+            --nodes;
+            ++visited_;
+            combine_children(a, b, child);
+        }
         frame.left = without_lowest(frame.left);
-        enter(child_of(frame.a, child, false), child_of(frame.b, child, complement_b_), child);
     }
     return false;
 }
@@ -99,10 +111,18 @@ std::uint64_t Combination::decided_volume() const {
     return decided;
 }
 
-void Combination::enter(const Node& a, const Node& b, unsigned child) {
-    ++visited_;
-    if (++level_ > 0) builder_.open(child);
-    Settlement s = settle(op_, a, b);
+void Combination::combine_children(const Node& a, const Node& b, unsigned child) {
+    if (a.grey() == 0 && b.grey() == 0) {
+        const Settlement s = settle(op_, a, complement_b_ ? complemented(b) : b);
+        return builder_.eight_leaves(child, s.may, s.must);
+    }
+    builder_.open(child);
+    ++level_;
+    enter(a, b);
+}
+
+void Combination::enter(const Node& a, const Node& b) {
+    Settlement s = settle(op_, a, complement_b_ ? complemented(b) : b);
     if (complement_b_) { // b's subtrees are not those of the result: its complement is written anew
         s.descend = mask(s.descend | s.share_b);
         s.share_b = 0;
@@ -115,27 +135,16 @@ void Combination::enter(const Node& a, const Node& b, unsigned child) {
         builder_.graft(lowest(left), pool_->child(b, lowest(left)));
     }
     frames_[level_] = Frame{a, b, s.descend};
-    graft_common(frames_[level_]);
 }
 
 // One subtree combined with itself is itself, for the two operators that are idempotent.
-void Combination::graft_common(Frame& frame) {
-    if (op_ != Operator::unite && op_ != Operator::intersect) return;
-    for (std::uint8_t both = mask(frame.left & frame.a.grey() & frame.b.grey()); both != 0;
-         both = without_lowest(both)) {
-        const unsigned child = lowest(both);
-        const Node& node = pool_->child(frame.a, child);
-        if (node != pool_->child(frame.b, child)) continue;
-        builder_.graft(child, node);
-        frame.left = mask(frame.left & ~(1 << child));
-    }
+bool Combination::is_common(const Node& a, const Node& b) const {
+    return (op_ == Operator::unite || op_ == Operator::intersect) && a == b;
 }
 
-Node Combination::child_of(const Node& node, unsigned child, bool complement) const {
+const Node& Combination::child_of(const Node& node, unsigned child) const {
     const Colour colour = node.colour(child);
-    if (colour != Colour::grey) return Node::uniform(colour);
-    const Node& below = pool_->child(node, child);
-    return complement ? complemented(below) : below;
+    return colour == Colour::grey ? pool_->child(node, child) : uniform_nodes[static_cast<unsigned>(colour)];
 }
 
 TreeOutcome combine(Combination& job, Operator op, const Octree& a, const Octree& b, NodePool& pool) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "tree/zeros.hpp"
+
 namespace osem {
 
 /// Four bytes as a number, little-endian: written out, so that a compiler sees that it may be one load.
@@ -48,7 +50,7 @@ constexpr unsigned plain_lowest_bit(unsigned bits) {
 }
 
 constexpr unsigned lowest_bit(unsigned bits) {
-#if defined(__ARM_FEATURE_CLZ) || defined(__x86_64__) || defined(__i386__) || defined(__aarch64__)
+#if OSEM_COUNTS_ZEROS
     return static_cast<unsigned>(__builtin_ctz(bits));
 #else
     return plain_lowest_bit(bits);

@@ -3,6 +3,7 @@
 #define OSEM_TREE_MASKS_HPP
 
 #include "osem/node_pool.hpp"
+#include "tree/zeros.hpp"
 
 namespace osem {
 
@@ -12,11 +13,19 @@ constexpr std::uint8_t low_children[3] = {0x55, 0x33, 0x0f};
 /// True when member k is in a mask; the parameter's type keeps the shift unsigned.
 constexpr bool contains(std::uint32_t mask, unsigned k) { return (mask >> k & 1U) != 0; }
 
-/// The lowest child in a mask. Precondition: mask != 0.
-constexpr unsigned lowest(std::uint8_t mask) {
-    // The bits below the lowest set one, counted.
+/// The lowest child in a mask, as the number of bits below it: for parts that do not count zeros themselves.
+constexpr unsigned plain_lowest(std::uint8_t mask) {
     return count_bits(
         static_cast<std::uint8_t>(static_cast<std::uint8_t>(mask - 1U) & static_cast<std::uint8_t>(~mask)));
+}
+
+/// The lowest child in a mask. Precondition: mask != 0.
+constexpr unsigned lowest(std::uint8_t mask) {
+#if OSEM_COUNTS_ZEROS
+    return static_cast<unsigned>(__builtin_ctz(mask));
+#else
+    return plain_lowest(mask);
+#endif
 }
 
 constexpr std::uint8_t without_lowest(std::uint8_t mask) {

@@ -112,6 +112,11 @@ void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint
     }
 }
 
+void TreeBuilder::eight_leaves(unsigned child, std::uint8_t may, std::uint8_t must) {
+    OSEM_ASSERT(building_ && level_ + 1 < max_depth && child < 8 && (must & ~may) == 0);
+    set_child(child, Node::of(may, must, 0));
+}
+
 void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must) {
     OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8 && (must & ~may) == 0);
     const std::uint8_t uniform = uniform_children(may, must);
