@@ -27,7 +27,8 @@ void run_streams(benchmark::State& state, const Pair& pair, Operator op, LeafRul
     for (auto _ : state) benchmark::DoNotOptimize(result = trees.combine_streams(op).size());
     state.counters["nodes"] = static_cast<double>(trees.nodes());
     state.counters["result_bytes"] = static_cast<double>(result);
-    state.counters["memory_bytes"] = static_cast<double>(sizeof(StreamCombination));
+    state.counters["memory_bytes"] =
+        static_cast<double>(result + trees.stream_bytes() + sizeof(StreamCombination));
 }
 
 void run_runs(benchmark::State& state, const Pair& pair, Operator op) {

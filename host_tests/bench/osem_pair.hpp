@@ -34,6 +34,8 @@ class OsemPair {
     /// The result's stream, in memory that is used again.
     const Bytes& combine_streams(Operator op);
 
+    std::uint64_t stream_bytes() const { return stream_a_.size() + stream_b_.size(); }
+
     /// Nodes of both operands.
     std::uint64_t nodes() const { return measure(a_).nodes + measure(b_).nodes; }
 

@@ -271,7 +271,11 @@ void add_csg(CLI::App& app, const Console& console) {
         std::string(expression_help) +
         "\nNothing is converted by itself: an octant in which the expression is decided is not\n"
         "entered. A name that stands twice is one operand, so a - a is empty. Octree files are read\n"
-        "where they lie. Without octree files or --frame the default cube is that of all meshes.");
+        "where they lie. Without octree files or --frame the default cube is that of all meshes.\n"
+        "At most " +
+        std::to_string(csg_most_operands) + " names, " + std::to_string(csg_most_tokens) +
+        " names and operators, and " + std::to_string(csg_most_repeated) +
+        " names that stand twice or more.");
     command->callback([options, &console] { run_csg(*options, console); });
 }
 
