@@ -9,7 +9,18 @@ build=$(realpath -m "${OSEM_BUILD_DIR:-$root/build}")/fuzz
 seconds=${1:-60}
 shift || true
 targets=("$@")
-[ "${#targets[@]}" -gt 0 ] || targets=(predicates solids trees streams csg surface files)
+all=(predicates solids trees streams csg surface files)
+[ "${#targets[@]}" -gt 0 ] || targets=("${all[@]}")
+[[ $seconds =~ ^[1-9][0-9]*$ ]] || {
+    echo "fuzz/run.sh: $seconds is no number of seconds" >&2
+    exit 1
+}
+for target in "${targets[@]}"; do
+    [[ " ${all[*]} " == *" $target "* ]] || {
+        echo "fuzz/run.sh: no target $target: there are ${all[*]}" >&2
+        exit 1
+    }
+done
 
 . "$root/host_tests/packages.sh"
 install_packages cmake make clang libclang-rt-14-dev libgtest-dev libgmp-dev libcli11-dev libstb-dev libtinyobjloader-dev

@@ -62,11 +62,12 @@ TEST_F(Damaged, NoCommandWritesFromADamagedFile) {
     const std::string bad = path("bad.osem");
     const std::string good = path("whole.osem");
     const std::string out = path("out.png");
+    const std::string tree = path("out.osem");
     using Names = std::vector<std::string>;
     for (const Names& line :
-         {Names{"union", good, bad, "-o", out}, Names{"intersection", bad, good, "-o", out},
-          Names{"difference", good, bad, "-o", out}, Names{"xor", bad, good, "-o", out},
-          Names{"complement", bad, "-o", out}, Names{"image", bad, "-o", out},
+         {Names{"union", good, bad, "-o", tree}, Names{"intersection", bad, good, "-o", tree},
+          Names{"difference", good, bad, "-o", tree}, Names{"xor", bad, good, "-o", tree},
+          Names{"complement", bad, "-o", tree}, Names{"image", bad, "-o", out},
           Names{"slice", bad, "-o", out, "--axis", "y", "--at", "0.5"}, Names{"leaves", bad},
           Names{"carray", bad, "-o", out}}) {
         const Ran ran = osem(line);

@@ -82,9 +82,10 @@ TEST_F(Tool, OptionsOutOfRangeAreWrongUsage) {
 TEST_F(Tool, MissingInputExitsWithTwoAndLeavesNoFile) {
     const std::string none = path("none.osem");
     const std::string out = path("out.png");
+    const std::string tree = path("out.osem");
     for (const Names& line :
-         {Names{"check", path("none.off")}, Names{"convert", path("none.off"), "-o", out},
-          Names{"union", none, none, "-o", out}, Names{"complement", none, "-o", out}, Names{"info", none},
+         {Names{"check", path("none.off")}, Names{"convert", path("none.off"), "-o", tree},
+          Names{"union", none, none, "-o", tree}, Names{"complement", none, "-o", tree}, Names{"info", none},
           Names{"leaves", none}, Names{"image", none, "-o", out},
           Names{"slice", none, "-o", out, "--axis", "x", "--at", "0"}, Names{"carray", none, "-o", out}}) {
         EXPECT_TRUE(failed(osem(line), 2, "none.")) << line[0];
@@ -97,10 +98,11 @@ TEST_F(Tool, OutputInAMissingFolderIsRefused) {
     const Names before = files();
     const std::string in = path("box.osem");
     const std::string out = path("nowhere/out.png");
+    const std::string tree = path("nowhere/out.osem");
     for (const Names& line :
-         {Names{"convert", path("box.off"), "-o", out}, Names{"union", in, in, "-o", out},
+         {Names{"convert", path("box.off"), "-o", tree}, Names{"union", in, in, "-o", tree},
           Names{"convert", path("box.off"), "-o", path("good.osem"), "--quantized", out},
-          Names{"complement", in, "-o", out}, Names{"image", in, "-o", out, "--size", "16"},
+          Names{"complement", in, "-o", tree}, Names{"image", in, "-o", out, "--size", "16"},
           Names{"slice", in, "-o", out, "--axis", "x", "--at", "0"}, Names{"carray", in, "-o", out}}) {
         EXPECT_TRUE(failed(osem(line), 2, "nowhere/out")) << line[0];
     }
@@ -131,13 +133,16 @@ TEST_F(Tool, AnOutputMayReplaceAnOperand) {
 TEST_F(Tool, TheInputIsNotOverwritten) {
     make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
     std::filesystem::create_symlink(path("box.off"), path("link.off"));
+    std::filesystem::create_hard_link(path("box.off"), path("link.osem"));
     const Names before = files();
     const std::string mesh = read_file(path("box.off"));
     const std::string tree = read_file(path("box.osem"));
     const std::string in = path("box.osem");
     const std::string new_tree = path("new.osem");
-    for (const std::string& same : {path("box.off"), path("./box.off"), path("link.off")}) {
+    for (const std::string& same : {path("link.osem"), path("./link.osem")}) {
         EXPECT_TRUE(failed(osem({"convert", path("box.off"), "-o", same}), 1, "--output: the same file"));
+    }
+    for (const std::string& same : {path("box.off"), path("./box.off"), path("link.off")}) {
         EXPECT_TRUE(failed(osem({"convert", path("box.off"), "-o", new_tree, "--quantized", same}), 1,
                            "--quantized: the same file"));
     }
@@ -172,13 +177,63 @@ class Refusing : public std::streambuf {};
 TEST_F(Tool, OutputThatCannotBeWrittenIsAnError) {
     make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
     const std::string in = path("box.osem");
-    for (const char* command : {"leaves", "info"}) {
+    const std::string mesh = path("box.off");
+    const std::string tree = path("out.osem");
+    const std::string surface = path("out.off");
+    write_file(tree, "as before");
+    const Names before = files();
+    const Names lines[] = {{"leaves", in},
+                           {"info", in},
+                           {"convert", mesh, "-o", tree, "--stats", "--quantized", surface},
+                           {"convert", mesh, "-o", tree, "--fit", "100"},
+                           {"csg", "a", "a=" + mesh, "-o", tree, "--stats"},
+                           {"mesh", in, "-o", surface},
+                           {"coarsen", in, "-o", tree, "--nodes", "2"},
+                           {"coarsen", in, "-o", tree, "--depth", "1"},
+                           {"transform", in, "-o", tree, "--up", "1", "--at", "0,0,0"}};
+    for (const Names& line : lines) {
         Refusing nothing;
         std::ostream out(&nothing);
         std::ostringstream err;
-        const char* const argv[] = {"osem", command, in.c_str()};
-        EXPECT_EQ(host::run(3, argv, out, err), 2);
-        EXPECT_EQ(err.str(), "osem: standard output: cannot be written\n");
+        std::vector<const char*> argv = {"osem"};
+        for (const std::string& word : line) argv.push_back(word.c_str());
+        EXPECT_EQ(host::run(static_cast<int>(argv.size()), argv.data(), out, err), 2);
+        EXPECT_EQ(err.str(), "osem: standard output: cannot be written\n") << line[0];
+        EXPECT_EQ(files(), before) << line[0];
+        EXPECT_EQ(read_file(tree), "as before") << line[0];
+    }
+}
+
+TEST_F(Tool, AFileThatIsReplacedKeepsItsPermissions) {
+    namespace fs = std::filesystem;
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    const fs::perms owner_alone = fs::perms::owner_read | fs::perms::owner_write;
+    fs::permissions(path("box.osem"), owner_alone);
+    ASSERT_TRUE(succeeded(osem({"complement", path("box.osem"), "-o", path("box.osem")})));
+    EXPECT_EQ(fs::status(path("box.osem")).permissions(), owner_alone);
+}
+
+TEST_F(Tool, ALinkToNothingIsNoOutput) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    std::filesystem::create_symlink(path("nowhere"), path("link.osem"));
+    const Names before = files();
+    EXPECT_TRUE(failed(osem({"complement", path("box.osem"), "-o", path("link.osem")}), 2,
+                       "link.osem: cannot be written: it is a link to a file that is not there"));
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Tool, AnOctreeIsNotWrittenOverAMesh) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    const std::string tree = path("box.osem");
+    for (const char* name : {"out.off", "out.STL", "out.obj", "out.poly", "out.png"}) {
+        for (const Names& line :
+             {Names{"convert", path("box.off")}, Names{"union", tree, tree}, Names{"complement", tree},
+              Names{"csg", "a", "a=" + tree}, Names{"coarsen", tree, "--depth", "1"},
+              Names{"transform", tree, "--up", "1"}}) {
+            Names whole = line;
+            whole.insert(whole.end(), {"-o", path(name)});
+            EXPECT_TRUE(failed(osem(whole), 1, "an octree is written")) << line[0];
+        }
     }
 }
 
@@ -190,6 +245,15 @@ TEST_F(Tool, TheExecutableExitsAsTheFunctionDoes) {
     EXPECT_EQ(exit_code("--help"), 0);
     EXPECT_EQ(exit_code("melt"), 1);
     EXPECT_EQ(exit_code("info '" + path("none.osem") + "'"), 2);
+}
+
+TEST_F(Tool, AnOctreeGoesThroughAPipe) {
+    make_box("box", {0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    ASSERT_TRUE(succeeded(osem({"complement", path("box.osem"), "-o", path("out.osem")})));
+    const std::string line = "'" OSEM_TOOL_PATH "' complement '" + path("box.osem") +
+                             "' -o /dev/stdout | cat > '" + path("piped.osem") + "'";
+    ASSERT_EQ(std::system(line.c_str()), 0);
+    EXPECT_EQ(read_file(path("piped.osem")), read_file(path("out.osem")));
 }
 
 } // namespace

@@ -93,8 +93,7 @@ int parse_and_run(int argc, const char* const* argv, const Console& console) {
             return exit_bad_usage;
         }
     }
-    console.out.flush();
-    if (!console.out) throw BadInput("standard output: cannot be written");
+    finish_printing(console);
     return exit_ok;
 }
 

@@ -47,7 +47,8 @@ constexpr const char* check_footer =
     "manifold), signed volume in cubed world units, frame X,Y,Z,SIDE. Then how it came from the file:\n"
     "input_faces, input_vertices, welded_vertices (merged with one on the same lattice point), "
     "dropped_faces\n"
-    "(without area after rounding), triangulated_faces (bent by rounding), reoriented_faces (turned over).\n"
+    "(fewer than three corners after rounding), triangulated_faces (bent by rounding), reoriented_faces "
+    "(turned over).\n"
     "Vertices with equal coordinates count as one: a surface that touches itself along an edge or in a "
     "point,\n"
     "as one that `osem mesh` wrote may, is not manifold here, though its file keeps the sheets apart.";

@@ -36,13 +36,14 @@ void require_one(const CoarsenArguments& options) {
     if (options.mode && !options.depth) throw CLI::ValidationError("--mode", "is for --depth");
 }
 
-void save(const CoarsenArguments& options, const TreeFile& file, const Octree& tree) {
+void save(const CoarsenArguments& options, const TreeFile& file, const Octree& tree, const Console& console) {
     OutputFile output(options.output);
     write_tree(output, tree, file.facts());
+    finish_printing(console);
     output.commit();
 }
 
-void coarsen_to_nodes(const CoarsenArguments& options, std::ostream& out) {
+void coarsen_to_nodes(const CoarsenArguments& options, const Console& console) {
     TreeFile file(options.input);
     HostPool operand(file.nodes());
     const Octree tree = file.read(operand.pool());
@@ -52,15 +53,15 @@ void coarsen_to_nodes(const CoarsenArguments& options, std::ostream& out) {
     const PruneOutcome outcome = prune(*job, tree, *options.nodes, &pool.pool());
     if (outcome.built.status != Status::ok) throw BadInput(describe(outcome.built.status));
 
-    save(options, file, outcome.built.tree);
-    out << "nodes " << outcome.built.nodes_needed << '\n'
-        << "inner_lost " << outcome.inner_lost << '\n'
-        << "outer_gained " << outcome.outer_gained << '\n'
-        << "above_optimum " << outcome.above_optimum << '\n';
+    console.out << "nodes " << outcome.built.nodes_needed << '\n'
+                << "inner_lost " << outcome.inner_lost << '\n'
+                << "outer_gained " << outcome.outer_gained << '\n'
+                << "above_optimum " << outcome.above_optimum << '\n';
+    save(options, file, outcome.built.tree, console);
 }
 
 // The result stands in the operand's pool and takes at most as many nodes once more.
-void coarsen_to_depth(const CoarsenArguments& options, std::ostream& out) {
+void coarsen_to_depth(const CoarsenArguments& options, const Console& console) {
     TreeFile file(options.input);
     HostPool pool(std::uint64_t{file.nodes()} * 2);
     const Octree tree = file.read(pool.pool());
@@ -69,20 +70,20 @@ void coarsen_to_depth(const CoarsenArguments& options, std::ostream& out) {
         coarsen(*job, tree, *options.depth, options.mode.value_or(Coarse::certified), pool.pool());
     if (outcome.status != Status::ok) throw BadInput(describe(outcome.status));
 
-    save(options, file, outcome.tree);
     const Measures measures = measure(outcome.tree);
-    out << "nodes " << measures.nodes - 1 << '\n'
-        << "inner_volume " << measures.inner_volume << '\n'
-        << "outer_volume " << measures.outer_volume << '\n';
+    console.out << "nodes " << measures.nodes - 1 << '\n'
+                << "inner_volume " << measures.inner_volume << '\n'
+                << "outer_volume " << measures.outer_volume << '\n';
+    save(options, file, outcome.tree, console);
 }
 
-void run_coarsen(const CoarsenArguments& options, std::ostream& out) {
+void run_coarsen(const CoarsenArguments& options, const Console& console) {
     require_one(options);
     OutputFile::probe(options.output);
     if (options.nodes) {
-        coarsen_to_nodes(options, out);
+        coarsen_to_nodes(options, console);
     } else {
-        coarsen_to_depth(options, out);
+        coarsen_to_depth(options, console);
     }
 }
 
@@ -118,11 +119,11 @@ void add_coarsen(CLI::App& app, const Console& console) {
                         {"majority", Coarse::majority},
                         {"certified", Coarse::certified}})
         ->type_name("MODE");
-    add_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
+    add_tree_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
         ->required()
         ->type_name("Y.osem");
     command->footer(coarsen_footer);
-    command->callback([options, &console] { run_coarsen(*options, console.out); });
+    command->callback([options, &console] { run_coarsen(*options, console); });
 }
 
 } // namespace osem::host

@@ -79,7 +79,7 @@ void run_complement(const Operands& files, const Console& console) {
 }
 
 void add_result(CLI::App& command, Operands& operands) {
-    add_output(command, "-o,--output", operands.output, "Octree file to write; may be one of those read")
+    add_tree_output(command, "-o,--output", operands.output, "Octree file to write; may be one of those read")
         ->required()
         ->type_name("C.osem");
 }

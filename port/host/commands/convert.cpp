@@ -111,15 +111,14 @@ void run_convert(const ConvertArguments& options, const Console& console) {
 
     OutputFile tree_file(options.output);
     write_tree(tree_file, converted.tree, {solid.cube, options.conversion.leaves});
-    if (!options.quantized.empty()) {
-        OutputFile quantized(options.quantized);
-        write_off(quantized.stream(), solid);
-        quantized.commit();
-    }
-    tree_file.commit();
+    std::optional<OutputFile> quantized;
+    if (!options.quantized.empty()) write_off(quantized.emplace(options.quantized).stream(), solid);
     if (options.nodes) console.out << "depth " << int{converted.tree.depth} << '\n';
     const Technique technique = options.nodes ? Technique::divide : options.technique;
     if (options.stats) print_stats(console.out, technique, converted);
+    finish_printing(console);
+    if (quantized) quantized->commit();
+    tree_file.commit();
 }
 
 } // namespace
@@ -130,7 +129,7 @@ void add_convert(CLI::App& app, const Console& console) {
     command->add_option("IN", options->input, "Mesh file: .off, .stl, .obj or .poly")
         ->required()
         ->type_name("");
-    add_output(*command, "-o,--output", options->output, "Octree file to write")
+    add_tree_output(*command, "-o,--output", options->output, "Octree file to write")
         ->required()
         ->type_name("OUT.osem");
     command->add_option("--depth", options->conversion.depth, "Depth of the tree, 1 to 20 (19 with centre)")

@@ -177,9 +177,15 @@ CsgOptions options_for(const std::vector<Operand>& operands, const CsgArguments&
     return csg;
 }
 
+std::string expression_limits() {
+    return "at most " + std::to_string(csg_most_operands) + " names, " + std::to_string(csg_most_tokens) +
+           " names and operators, and " + std::to_string(csg_most_repeated) +
+           " names that stand twice or more";
+}
+
 [[noreturn]] void refuse(const CsgFault& fault, const std::vector<Operand>& operands) {
     if (fault.status == Status::expression_too_large) {
-        throw CLI::ValidationError("EXPR", describe(fault.status));
+        throw CLI::ValidationError("EXPR", "too large: " + expression_limits());
     }
     const bool of_tree = fault.operand < operands.size() && operands[fault.operand].tree;
     if (of_tree) operands[fault.operand].tree->file.refuse(fault.status, fault.offset);
@@ -233,8 +239,9 @@ void run_csg(const CsgArguments& options, const Console& console) {
 
     OutputFile output(options.output);
     write_tree(output, result.tree, {cube, csg.leaves});
-    output.commit();
     if (options.stats) print_stats(console.out, *job, result.tree, operands);
+    finish_printing(console);
+    output.commit();
 }
 
 } // namespace
@@ -250,7 +257,7 @@ void add_csg(CLI::App& app, const Console& console) {
             "What a name stands for: a mesh file (.off, .stl, .obj, .poly) or an octree file (.osem)")
         ->required()
         ->type_name("");
-    add_output(*command, "-o,--output", options->output, "Octree file to write")
+    add_tree_output(*command, "-o,--output", options->output, "Octree file to write")
         ->required()
         ->type_name("OUT.osem");
     command
@@ -272,10 +279,8 @@ void add_csg(CLI::App& app, const Console& console) {
         "\nNothing is converted by itself: an octant in which the expression is decided is not\n"
         "entered. A name that stands twice is one operand, so a - a is empty. Octree files are read\n"
         "where they lie. Without octree files or --frame the default cube is that of all meshes.\n"
-        "At most " +
-        std::to_string(csg_most_operands) + " names, " + std::to_string(csg_most_tokens) +
-        " names and operators, and " + std::to_string(csg_most_repeated) +
-        " names that stand twice or more.");
+        "An expression has " +
+        expression_limits() + ".");
     command->callback([options, &console] { run_csg(*options, console); });
 }
 

@@ -141,7 +141,7 @@ constexpr const char* measure_footer =
     "area, centroid, and inertia about it (Ixx Iyy Izz Ixy Iyz Izx, unit density); the last two are left "
     "out\n"
     "when there is no volume. euler_closed counts the closed solid, whose pieces may hang together by\n"
-    "corners: pieces - tunnels + cavities; euler_open counts its interior.";
+    "corners: pieces - tunnels + cavities, each also by itself; euler_open counts its interior.";
 
 constexpr const char* components_footer =
     "Prints \"components N\", then one line each: \"index volume volume_world leaves x y z x y z where\". "

@@ -56,10 +56,11 @@ void run_mesh(const MeshArguments& options, const Console& console) {
 
     OutputFile output(options.output);
     write_surface(output.stream(), surface, file.facts().cube, format);
-    output.commit();
     console.out << "vertices " << surface.vertices.size() << '\n'
                 << "faces " << surface.face_count() << '\n'
                 << "double_edges " << surface.double_edges << '\n';
+    finish_printing(console);
+    output.commit();
 }
 
 constexpr const char* mesh_footer =

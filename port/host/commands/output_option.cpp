@@ -15,6 +15,16 @@ std::string empty_fault(const std::string& name) {
     return name.empty() ? "the name of the file to write is empty" : std::string();
 }
 
+std::string tree_name_fault(const std::string& name) {
+    const std::string extension = fs::path(name).extension().string();
+    for (const char* other : {".off", ".obj", ".stl", ".poly", ".png"}) {
+        if (equal_ignoring_case(extension, other)) {
+            return "an octree is written: expected a name that does not end in " + extension;
+        }
+    }
+    return {};
+}
+
 // A file that is still to be written has no identity but its path.
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code error;
@@ -29,6 +39,11 @@ bool same_file(const std::string& a, const std::string& b) {
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& target,
                         const std::string& help) {
     return command.add_option(name, target, help)->check(empty_fault);
+}
+
+CLI::Option* add_tree_output(CLI::App& command, const std::string& name, std::string& target,
+                             const std::string& help) {
+    return add_output(command, name, target, help)->check(tree_name_fault);
 }
 
 std::string picture_name_fault(const std::string& name) {

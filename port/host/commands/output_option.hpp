@@ -12,6 +12,10 @@ namespace osem::host {
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& target,
                         const std::string& help);
 
+/// As add_output, for an octree file: a name that ends as those of meshes and pictures do is wrong usage.
+CLI::Option* add_tree_output(CLI::App& command, const std::string& name, std::string& target,
+                             const std::string& help);
+
 /// As add_output, for a picture, which is a PNG file.
 CLI::Option* add_picture_output(CLI::App& command, const std::string& name, std::string& target,
                                 const std::string& help);

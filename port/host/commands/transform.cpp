@@ -158,6 +158,11 @@ Octree scaled(std::unique_ptr<HostPool>& pool, const Octree& tree, const Transfo
         cube.origin[i] += up ? octant.corner.at[i] * old.unit() : -octant.corner.at[i] * cube.unit();
     }
     if (up) return tree_of(enlarged(tree, octant));
+    if (tree.depth + octant.level > max_depth) {
+        throw BadInput("--down " + std::to_string(options.down) + " makes the depth " +
+                       std::to_string(tree.depth + octant.level) + ", and the greatest is " +
+                       std::to_string(max_depth));
+    }
     pool = std::make_unique<HostPool>(*pool, std::uint64_t{pool->pool().used()} + octant.level);
     return tree_of(reduced(pool->adopted(tree), octant, pool->pool()));
 }
@@ -213,8 +218,9 @@ void run_transform(const TransformArguments& options, const Console& console) {
     }
     OutputFile output(options.output);
     write_tree(output, tree, facts);
-    output.commit();
     if (options.up != 0) print_dropped(console.out, before, measure(tree), options.up);
+    finish_printing(console);
+    output.commit();
 }
 
 std::string numbers_fault(const std::string& text, std::size_t count) {
@@ -243,7 +249,7 @@ void add_transform(CLI::App& app, const Console& console) {
     CLI::App* command = app.add_subcommand("transform", "Move, turn, scale or crop an octree");
     const auto options = std::make_shared<TransformArguments>();
     command->add_option("X", options->input, "Octree file")->required()->type_name("");
-    add_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
+    add_tree_output(*command, "-o,--output", options->output, "Octree file to write; may be the one read")
         ->required()
         ->type_name("Y.osem");
     command->add_option("--translate", options->translate, "Vector; nothing may leave the root cube")

@@ -34,8 +34,11 @@ OutputFile::OutputFile(const std::string& target) : name_(target), target_(targe
     std::error_code error;
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status)) refuse(name_, "it is a directory");
-    if (fs::exists(status)) target_ = fs::canonical(target, error).string();
+    if (fs::is_regular_file(status)) target_ = fs::canonical(target, error).string();
     if (error && error != std::errc::no_such_file_or_directory) refuse(name_, error.message());
+    if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(target, error))) {
+        refuse(name_, "it is a link to a file that is not there");
+    }
 
     const bool direct = fs::exists(status) && !fs::is_regular_file(status);
     if (!direct) create_beside();
@@ -74,6 +77,9 @@ void OutputFile::commit() {
     if (!stream_) refuse(name_, "the device is full or gone");
     if (temporary_.empty()) return;
     std::error_code error;
+    const fs::file_status before = fs::status(target_, error);
+    if (fs::exists(before)) fs::permissions(temporary_, before.permissions(), error);
+    if (fs::exists(before) && error) refuse(name_, error.message());
     fs::rename(temporary_, target_, error);
     if (error) refuse(name_, error.message());
     temporary_.clear();
