@@ -147,6 +147,18 @@ TEST_F(Hostile, NothingThatAFileNamesIsOpened) {
     EXPECT_TRUE(succeeded(run_on("check", "materials.obj", obj)));
 }
 
+TEST_F(Hostile, WhatIsNoRegularFileIsNotRead) {
+    for (const std::string end : {".off", ".stl", ".obj", ".poly", ".osem"}) {
+        const std::string command = end == ".osem" ? "info" : "check";
+        fs::create_symlink("/dev/zero", path("device" + end)); // has no end
+        ASSERT_EQ(mkfifo(path("pipe" + end).c_str(), 0600), 0);
+        fs::create_directory(path("folder" + end));
+        for (const std::string name : {"device", "pipe", "folder"}) {
+            EXPECT_TRUE(failed(osem({command, path(name + end)}), 2, "is not a regular file")) << name << end;
+        }
+    }
+}
+
 TEST_F(Hostile, DeepExpressionsAndOddNames) {
     make_box("a", {0, 0, 0}, {0.5, 1, 1});
     const auto csg = [&](const std::string& expression, const std::string& binding) {
