@@ -58,6 +58,25 @@ const std::string off_triangle = "0 0 0\n1 0 0\n0 1 0\n";
 const std::string obj_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string poly_triangle = "3 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n";
 
+// A facet of polygons each of which lies in all those before it.
+std::string nested_squares(int count) {
+    std::string nodes = std::to_string(4 * count) + " 3 0 0\n";
+    std::string polygons = "1 0\n" + std::to_string(count) + " 0\n";
+    for (int i = 0; i < count; ++i) {
+        const std::string far = std::to_string(count - i);
+        const std::string corners[] = {'-' + far + " -" + far, far + " -" + far, far + ' ' + far,
+                                       '-' + far + ' ' + far};
+        polygons += '4';
+        for (int k = 0; k < 4; ++k) {
+            const std::string number = std::to_string(4 * i + k);
+            nodes += number + ' ' + corners[k] + " 0\n";
+            polygons += ' ' + number;
+        }
+        polygons += '\n';
+    }
+    return nodes + polygons;
+}
+
 TEST_F(Hostile, AnnouncedNumbersAreNotTrustedWithMemory) {
     const std::string many = "4294967295";
     const std::string part = "more than the rest of the file can hold";
@@ -105,6 +124,7 @@ TEST_F(Hostile, MemoryIsInProportionToTheFile) {
     expect_refused("returns.obj", repeated("v 0 0 0\r", size / 8), "no faces");
     expect_refused("comment.off", "OFF\n" + std::string(size, '#'), "the file ends");
     expect_refused("facets.stl", "solid\n" + repeated("facet\nouter\n", size / 12), "should stand here");
+    expect_refused("rings.poly", nested_squares(6000), "only one facet has edge");
 }
 
 TEST_F(Hostile, CoordinatesAreFiniteAndNoneIsTooGreat) {
