@@ -305,6 +305,21 @@ TEST(Slices, APixelIsLookedIntoUpToItsSecondColour) {
     EXPECT_EQ(walk.nodes_visited(), 2U); // the top and that node
 }
 
+TEST(Slices, NoRowIsEnteredAtTheBeginning) {
+    DenseGrid grid(2, Colour::white);
+    grid[0] = Colour::black;
+    HeapPool pool(10);
+    const Octree tree = planted(grid, *pool);
+    RowWalk walk;
+    PixelRun run = {};
+    for (int round = 0; round < 2; ++round) { // nor is what was left of another one
+        ASSERT_EQ(walk.begin(tree, {axis_z, 0, 2}), Status::ok);
+        EXPECT_FALSE(walk.next(run));
+        walk.enter(0);
+        EXPECT_TRUE(walk.next(run));
+    }
+}
+
 // Rows of four bytes and more: runs that begin and end in any of them.
 TEST(Slices, LongRunsFillTheBytesBetween) {
     for (const int level : {5, 6}) {
