@@ -101,10 +101,10 @@ def run_tests(program, pattern, seconds="unlimited"):
     run = subprocess.run(command, capture_output=True, text=True, errors="replace")
     if run.returncode == 0:
         return None
-    failed = re.search(r"^\[  FAILED  \] ([\w.]+)", run.stdout, re.MULTILINE)
+    failed = re.search(r"^\[  FAILED  \] ([\w./]+)", run.stdout, re.MULTILINE)
     if failed:
         return failed[1]
-    begun = re.findall(r"^\[ RUN      \] ([\w.]+)", run.stdout, re.MULTILINE)
+    begun = re.findall(r"^\[ RUN      \] ([\w./]+)", run.stdout, re.MULTILINE)
     late = run.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
     return f"{begun[-1] if begun else 'start'} ({'no end' if late else 'crash'})"
 

@@ -170,8 +170,12 @@ void change_tables(SolidArrays& arrays, Choices& choices) {
 } // namespace
 
 Solid SolidArrays::view() const {
+    const auto vertex_count = static_cast<std::uint32_t>(vertices.size());
+    if (!has_starts && !has_rings && corners.size() == std::size_t{3} * face_count) {
+        return triangle_mesh(vertices.data(), vertex_count, corners.data(), face_count);
+    }
     return {vertices.data(),
-            static_cast<std::uint32_t>(vertices.size()),
+            vertex_count,
             corners.data(),
             static_cast<std::uint32_t>(corners.size()),
             has_starts ? ring_starts.data() : nullptr,

@@ -182,6 +182,19 @@ TEST(Collision, VisitsNoMoreThanThePairsThatMeetAndStepsAsToldTo) {
     }
 }
 
+// No other pair is looked at once two black leaves have been found to overlap.
+TEST(Collision, ACertainOneIsTheEnd) {
+    const DenseGrid grid = make_grid(4, [](const Point& corner, std::int32_t side) {
+        return (corner.x() + corner.y() + corner.z()) / side % 2 == 0 ? Colour::black : Colour::white;
+    });
+    HeapPool pool(2000);
+    const Octree tree = planted(grid, *pool);
+    const auto job = std::make_unique<Collision>();
+    const CollisionOutcome found = collide(*job, tree, tree, {{0, 0, 0}});
+    EXPECT_EQ(found.contact, Contact::certain);
+    EXPECT_LE(found.visited, 2U * 4U); // the way down in both, to the first cell
+}
+
 TEST(Collision, UniformTreesAndFarOffsets) {
     const auto job = std::make_unique<Collision>();
     HeapPool pool(0);

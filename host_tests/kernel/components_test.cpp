@@ -100,6 +100,27 @@ TEST(Components, RandomTreesHaveTheComponentsOfTheirCells) {
     }
 }
 
+// What one tree has beside the root is not another one's.
+TEST(Components, OneJobForManyTrees) {
+    ComponentLabelling job;
+    for (std::uint32_t seed = 0; seed < 24; ++seed) {
+        HeapPool pool(3000);
+        const DenseGrid grid = grid_of(seed);
+        const Octree tree = planted(grid, *pool);
+        std::vector<std::uint32_t> scratch(
+            static_cast<std::size_t>(component_scratch(measure(tree), outer_void)));
+        job.begin(tree, outer_void, Connectivity::faces, scratch.data(),
+                  static_cast<std::uint32_t>(scratch.size()));
+        while (job.step(UINT32_MAX)) {
+        }
+        const CellComponents cells = cell_components(grid, outer_void, Connectivity::faces);
+        ASSERT_EQ(job.finish().components, cells.components.size()) << seed;
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            ASSERT_EQ(job.component_of(grid.corner(i)), cells.labels[i]) << seed;
+        }
+    }
+}
+
 // Sparse cells: many components, few of them on the border.
 TEST(Components, ScatteredCells) {
     for (std::uint32_t seed = 0; seed < 6; ++seed) {

@@ -129,9 +129,9 @@ TEST(CsgWork, StepsOfAnySizeGiveTheSameTree) {
     HeapPool whole_pool(5000);
     const CsgOutcome whole = work.whole(&*whole_pool);
     ASSERT_EQ(whole.built.status, Status::ok);
+    CsgConversion job; // used again, it counts anew
     for (const std::uint32_t budget : {1U, 2U, 3U, 7U, 100000U}) {
         HeapPool pool(5000);
-        CsgConversion job;
         ASSERT_EQ(work.begin(job, &*pool, work.options()).status, Status::ok);
         std::uint64_t volume = 0;
         std::uint64_t visits = 0;

@@ -55,8 +55,13 @@ TEST(EdgeSort, RandomAndPatterned) {
     }
 }
 
+// So many that quadratic time would have no end, the small parts at either end.
 TEST(EdgeSort, LopsidedPartitions) {
-    expect_sorted_like_standard(median_killer(1U << 16));
+    std::vector<Edge> killer = median_killer(1U << 19);
+    expect_sorted_like_standard(killer);
+    std::reverse(killer.begin(), killer.end());
+    for (Edge& edge : killer) edge.to = (1U << 19) - edge.to;
+    expect_sorted_like_standard(killer);
     std::vector<Edge> organ_pipe;
     for (std::uint32_t i = 0; i < 40000; ++i) organ_pipe.push_back(Edge{0, i < 20000 ? i : 40000 - i});
     expect_sorted_like_standard(organ_pipe);

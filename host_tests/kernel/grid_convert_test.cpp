@@ -330,6 +330,8 @@ TEST(GridConversion, EveryScratchTooSmallIsRefusedAndGivingUpRollsBack) {
     ASSERT_EQ(enough.run(job, solid, options, nullptr, 3).status, Status::ok);
     const std::uint32_t used = job.scratch_used();
     EXPECT_GT(used, 3 * solid.face_count() + 64 * 4);
+    ASSERT_EQ(enough.run(job, solid, {2}, nullptr, 3).status, Status::ok);
+    EXPECT_LT(job.scratch_used(), used) << "of the last one";
     for (std::uint32_t size = 0; size < used; ++size) {
         Words scratch(size);
         const TreeOutcome outcome = scratch.run(job, solid, options, &*pool, 3);

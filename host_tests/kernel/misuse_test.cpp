@@ -50,6 +50,9 @@ TEST(HostileTables, OneTableWithoutTheOtherIsRefused) {
               Status::ring_table_invalid);
     EXPECT_EQ(check(Solid{vertices, 3, corners, 5, nullptr, nullptr, 2}, scratch, 6).status,
               Status::ring_table_invalid);
+    // Three corners a face are 2^32 + 2.
+    EXPECT_EQ(check(Solid{vertices, 3, corners, 2, nullptr, nullptr, 0x55555556}, scratch, 6).status,
+              Status::ring_table_invalid);
 }
 
 TEST(Misuse, FinishingWhatWasNeverBegun) {

@@ -290,6 +290,36 @@ TEST(Slices, ARowVisitsTheNodesOnIt) {
     }
 }
 
+// A pixel of several leaves is boundary as soon as two colours of it are known.
+TEST(Slices, APixelIsLookedIntoUpToItsSecondColour) {
+    DenseGrid grid = random_grid(3, 22, two_colours);
+    for (std::size_t cell = 0; cell < 16; ++cell) grid[cell] = cell < 8 ? Colour::white : Colour::black;
+    HeapPool pool(1000);
+    const Octree tree = planted(grid, *pool); // the first two octants of the first node below the top
+    RowWalk walk;
+    ASSERT_EQ(walk.begin(tree, {axis_z, 0, 0}), Status::ok);
+    walk.enter(0);
+    PixelRun run = {};
+    ASSERT_TRUE(walk.next(run));
+    EXPECT_EQ(run.colour, Colour::boundary);
+    EXPECT_EQ(walk.nodes_visited(), 2U); // the top and that node
+}
+
+TEST(Slices, NoRowIsEnteredAtTheBeginning) {
+    DenseGrid grid(2, Colour::white);
+    grid[0] = Colour::black;
+    HeapPool pool(10);
+    const Octree tree = planted(grid, *pool);
+    RowWalk walk;
+    PixelRun run = {};
+    for (int round = 0; round < 2; ++round) { // nor is what was left of another one
+        ASSERT_EQ(walk.begin(tree, {axis_z, 0, 2}), Status::ok);
+        EXPECT_FALSE(walk.next(run));
+        walk.enter(0);
+        EXPECT_TRUE(walk.next(run));
+    }
+}
+
 // Rows of four bytes and more: runs that begin and end in any of them.
 TEST(Slices, LongRunsFillTheBytesBetween) {
     for (const int level : {5, 6}) {

@@ -213,6 +213,27 @@ TEST(StreamBoolean, ASourceMayFailAtEveryRead) {
     }
 }
 
+TEST(StreamBoolean, ProgressDoesNotFallWhereAFaultIsMet) {
+    const Bytes a = stream_of(random_grid(3, 31, three_colours));
+    StreamCombination job;
+    std::uint64_t furthest = 0;
+    for (std::size_t at = 0;; ++at) {
+        TestSource failing(a);
+        failing.fail_at = at;
+        TestSink to;
+        if (job.begin(Operator::unite, source_of(a), failing.source(), to.sink()) != Status::ok) continue;
+        std::uint64_t decided = job.decided_volume();
+        while (job.step(3)) {
+            EXPECT_GE(job.decided_volume(), decided);
+            decided = job.decided_volume();
+        }
+        EXPECT_GE(job.decided_volume(), decided) << "read " << at;
+        furthest = decided;
+        if (job.finish().status == Status::ok) break;
+    }
+    EXPECT_GT(furthest, root_volume / 2) << "no fault in the second pass";
+}
+
 // Every operand is read whole before anything is written, so a fault is found wherever it is.
 TEST(StreamBoolean, DamageInEitherOperandIsNamedBeforeAnythingIsWritten) {
     const Bytes good = stream_of(random_grid(3, 5, three_colours));

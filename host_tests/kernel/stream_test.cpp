@@ -235,6 +235,27 @@ TEST(Stream, ABuilderKnowsWhereItIs) {
     EXPECT_EQ(builder.finish(), Status::ok) << "a count needs no sink";
 }
 
+TEST(Stream, WhatWasGivenUpIsForgotten) {
+    HeapPool pool(1);
+    const Bytes bytes = written(Octree::uniform(*pool, Colour::black), sample_header);
+    StreamReader reader;
+    reader.begin(nullptr);
+    ASSERT_EQ(reader.feed(bytes.data(), stream_header_size), Status::ok);
+    EXPECT_TRUE(reader.has_header());
+    reader.begin(nullptr);
+    EXPECT_FALSE(reader.has_header());
+
+    StreamBuilder builder;
+    for (int round = 0; round < 2; ++round) { // the first one ends in an octant that stands for good
+        builder.begin();
+        builder.open();
+        builder.leaf(Colour::black);
+        for (unsigned k = 1; k < (round == 0 ? 2U : 8U); ++k) builder.leaf(Colour::white);
+    }
+    EXPECT_TRUE(builder.whole());
+    EXPECT_EQ(builder.nodes(), 1U);
+}
+
 } // namespace
 
 } // namespace osem::tests

@@ -58,6 +58,25 @@ const std::string off_triangle = "0 0 0\n1 0 0\n0 1 0\n";
 const std::string obj_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string poly_triangle = "3 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n";
 
+// A facet of polygons each of which lies in all those before it.
+std::string nested_squares(int count) {
+    std::string nodes = std::to_string(4 * count) + " 3 0 0\n";
+    std::string polygons = "1 0\n" + std::to_string(count) + " 0\n";
+    for (int i = 0; i < count; ++i) {
+        const std::string far = std::to_string(count - i);
+        const std::string corners[] = {'-' + far + " -" + far, far + " -" + far, far + ' ' + far,
+                                       '-' + far + ' ' + far};
+        polygons += '4';
+        for (int k = 0; k < 4; ++k) {
+            const std::string number = std::to_string(4 * i + k);
+            nodes += number + ' ' + corners[k] + " 0\n";
+            polygons += ' ' + number;
+        }
+        polygons += '\n';
+    }
+    return nodes + polygons;
+}
+
 TEST_F(Hostile, AnnouncedNumbersAreNotTrustedWithMemory) {
     const std::string many = "4294967295";
     const std::string part = "more than the rest of the file can hold";
@@ -105,6 +124,7 @@ TEST_F(Hostile, MemoryIsInProportionToTheFile) {
     expect_refused("returns.obj", repeated("v 0 0 0\r", size / 8), "no faces");
     expect_refused("comment.off", "OFF\n" + std::string(size, '#'), "the file ends");
     expect_refused("facets.stl", "solid\n" + repeated("facet\nouter\n", size / 12), "should stand here");
+    expect_refused("rings.poly", nested_squares(6000), "only one facet has edge");
 }
 
 TEST_F(Hostile, CoordinatesAreFiniteAndNoneIsTooGreat) {
@@ -145,6 +165,18 @@ TEST_F(Hostile, NothingThatAFileNamesIsOpened) {
     const std::string obj = "mtllib waits\nusemtl " + path("waits") + "\nmtllib " + path("waits") + "\n" +
                             obj_triangle + "v 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     EXPECT_TRUE(succeeded(run_on("check", "materials.obj", obj)));
+}
+
+TEST_F(Hostile, WhatIsNoRegularFileIsNotRead) {
+    for (const std::string end : {".off", ".stl", ".obj", ".poly", ".osem"}) {
+        const std::string command = end == ".osem" ? "info" : "check";
+        fs::create_symlink("/dev/zero", path("device" + end)); // has no end
+        ASSERT_EQ(mkfifo(path("pipe" + end).c_str(), 0600), 0);
+        fs::create_directory(path("folder" + end));
+        for (const std::string name : {"device", "pipe", "folder"}) {
+            EXPECT_TRUE(failed(osem({command, path(name + end)}), 2, "is not a regular file")) << name << end;
+        }
+    }
 }
 
 TEST_F(Hostile, DeepExpressionsAndOddNames) {

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string_view>
 #include <system_error>
@@ -18,7 +19,17 @@ struct CloseFile {
     void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
 };
 
+// A device or a pipe has no size that memory could be in proportion to, and may have no end.
+void require_regular(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw BadInput("is not a regular file");
+    }
+}
+
 std::string read_file(const std::string& path) {
+    require_regular(path);
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) throw BadInput("cannot be opened: " + std::generic_category().message(errno));
     std::string bytes;

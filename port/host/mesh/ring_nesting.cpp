@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "mesh/bad_input.hpp"
 #include "mesh/flat.hpp"
@@ -20,9 +21,9 @@ class FacetNester {
         const std::uint32_t end = solid_.end_ring(facet_);
         if (end - first == 1) return add_face(first);
         take_rings(first, end);
-        for (std::size_t i = 0; i < rings_.size(); ++i) find_containers(i);
-        for (std::size_t i = 0; i < rings_.size(); ++i) {
-            if (!rings_[i].is_hole()) add_face_with_holes(i);
+        for (NestedRing& ring : rings_) find_depth(ring);
+        for (const NestedRing& ring : rings_) {
+            if (!ring.is_hole()) add_face_with_holes(ring);
         }
     }
 
@@ -31,18 +32,20 @@ class FacetNester {
         std::uint32_t ring;
         std::vector<FlatPoint> polygon; ///< at twice the scale, so that middles of edges are points too
         std::int64_t area;              ///< twice the signed area, unscaled
-        std::vector<std::size_t> containers;
-        bool is_hole() const { return containers.size() % 2 == 1; }
+        std::size_t depth;              ///< how many other rings it lies in
+        bool is_hole() const { return depth % 2 == 1; }
     };
 
     void take_rings(std::uint32_t first, std::uint32_t end) {
         Normal longest{};
         std::vector<Normal> normals;
+        normals.reserve(end - first);
         for (std::uint32_t ring = first; ring < end; ++ring) {
             normals.push_back(newell_normal(solid_, ring));
             if (length(normals.back()) > length(longest)) longest = normals.back();
         }
         const Projection project(longest);
+        rings_.reserve(end - first);
         for (std::uint32_t ring = first; ring < end; ++ring) {
             const auto axis = static_cast<std::size_t>(project.axis());
             const std::int64_t area =
@@ -51,13 +54,14 @@ class FacetNester {
                 add_face(ring); // no area: it only carries edges, so it is a face of its own
                 continue;
             }
-            NestedRing nested{ring, {}, area, {}};
+            NestedRing nested{ring, {}, area, 0};
             const Ring corners = solid_.ring(ring);
+            nested.polygon.reserve(corners.count);
             for (std::uint32_t i = 0; i < corners.count; ++i) {
                 const FlatPoint p = project(solid_.vertices[corners.corners[i]]);
                 nested.polygon.push_back({2 * p.u, 2 * p.v});
             }
-            rings_.push_back(nested);
+            rings_.push_back(std::move(nested));
         }
     }
 
@@ -65,11 +69,10 @@ class FacetNester {
         return std::max({magnitude(normal[0]), magnitude(normal[1]), magnitude(normal[2])});
     }
 
-    void find_containers(std::size_t i) {
-        for (std::size_t k = 0; k < rings_.size(); ++k) {
-            if (k != i && lies_inside(rings_[i].polygon, rings_[k].polygon)) {
-                rings_[i].containers.push_back(k);
-            }
+    // The rings around one another may be as many as all of them, so only their number is kept.
+    void find_depth(NestedRing& ring) const {
+        for (const NestedRing& other : rings_) {
+            if (&other != &ring && lies_inside(ring.polygon, other.polygon)) ++ring.depth;
         }
     }
 
@@ -102,12 +105,10 @@ class FacetNester {
         faces_.end_face();
     }
 
-    void add_face_with_holes(std::size_t outline) {
-        add_ring(rings_[outline].ring, rings_[outline].area < 0);
-        const std::size_t depth = rings_[outline].containers.size();
+    void add_face_with_holes(const NestedRing& outline) {
+        add_ring(outline.ring, outline.area < 0);
         for (const NestedRing& nested : rings_) {
-            const auto& in = nested.containers;
-            if (in.size() == depth + 1 && std::find(in.begin(), in.end(), outline) != in.end()) {
+            if (nested.depth == outline.depth + 1 && lies_inside(nested.polygon, outline.polygon)) {
                 add_ring(nested.ring, nested.area > 0);
             }
         }
