@@ -157,8 +157,8 @@ stands for a program of nothing else. Helpers are what comes beside it from the 
 small C library: 64-bit arithmetic, `memcpy`, `memset`."""
 STACK_TEXT = """\
 Worst-case stack, in bytes, a function's own saved registers included. The bound is the longest path in the call
-graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest}; with
-`OSEM_FAST_GRIDS`, to which the target does not apply, the greatest bound is {fast}."""
+graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest};
+with `OSEM_FAST_GRIDS`, to which the target does not apply, the greatest bound is {fast}."""
 COUNT_TEXT = """\
 Instructions, counted by QEMU in steps of 40, with 32-bit indices. (The M0's code runs on the model of a
 Cortex-M3, whose memory is large enough.)"""

@@ -218,6 +218,16 @@ TEST(Csg, OnWindingNumbersEveryRuleIsItsOwn) {
 }
 
 // Solids whose surface does not meet the open root: none at all, and the root's own.
+TEST(Csg, ARefusedExpressionLeavesTheOneBefore) {
+    const CsgToken twice[] = {CsgToken::of(0), CsgToken::of(0), CsgToken::of(Operator::exclusive_or)};
+    const CsgToken two_values[] = {CsgToken::of(1), CsgToken::of(0)};
+    CsgExpression expression;
+    std::uint32_t where = 0;
+    ASSERT_EQ(expression.begin(twice, 3, 2, where), Status::ok);
+    ASSERT_EQ(expression.begin(two_values, 2, 2, where), Status::expression_invalid);
+    EXPECT_EQ(expression.evaluate(CsgColours{1, 0}).colour(), Colour::white); // whatever the operand is
+}
+
 TEST(Csg, SolidsThatTheRootDoesNotShow) {
     const SmallSolid nothing;
     const SmallSolid all = box_solid({Point{{0, 0, 0}}, Point{{root_side, root_side, root_side}}});

@@ -1,16 +1,17 @@
-// Every face of a 4 x 4 x 4 lattice of points, against every octant of four sizes that lies in it, holds it
-// or touches it, against the boxes of a bintree, and every step between reference points through it. Each
-// answer is compared with one found by clipping, or by solving for the point of intersection
-// (lattice_faces.hpp).
+// Every face of a 4 x 4 x 4 lattice of points, against octants of four sizes that lie in it, hold it or touch
+// it, and steps between reference points through it. Each answer is compared with one found by clipping, or
+// by solving for the point of intersection (lattice_faces.hpp).
 //
-//      41,664  sets of three points (376 of them collinear): triangles, in all six orders
-//     193,728  rings of four points of a plane, crossing themselves, not convex and flat ones among them
-//       6,144  convex rings of four points with a triangle strictly inside them as a hole
-//     913,536  the same where the hole may touch the ring
+//      41,664  sets of three points (376 of them collinear): triangles, in all six orders, against every such
+//              octant and the boxes of a bintree, and every step
+//     193,728  rings of four points of a plane, crossing themselves, not convex and flat ones among them:
+//              against the octants in places that are theirs, and steps of one length
+//       6,144  convex rings of four points with a triangle strictly inside them as a hole: as triangles
+//     913,536  the same where the hole may touch the ring: against nine octants, no steps
 //
 // in all 450,084,864 answers about boxes and 273,119,040 about steps, and 241,536 conversions of a face
-// together with its other side. Sanitizers and machines that are emulated take every 61st face: they are
-// slow, and look for other things.
+// together with its other side, which has no inside: winding numbers are counted, but end at 0. Sanitizers
+// and machines that are emulated take every 61st face: they are slow, and look for other things.
 #include <gtest/gtest.h>
 
 #include <algorithm>

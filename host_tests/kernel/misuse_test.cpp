@@ -65,6 +65,10 @@ TEST(Misuse, FinishingWhatWasNeverBegun) {
     EXPECT_FALSE(combination.step(1));
     EXPECT_EQ(combination.finish().status, Status::unfinished);
     EXPECT_EQ(reader.finish().built.status, Status::unfinished);
+    const std::uint8_t byte = 'O';
+    EXPECT_EQ(reader.feed(&byte, 1), Status::unfinished);
+    EXPECT_FALSE(reader.has_header());
+    EXPECT_EQ(reader.finish().built.status, Status::unfinished);
     EXPECT_EQ(builder.finish(1).status, Status::unfinished);
     EXPECT_EQ(builder.finish(1).status, Status::unfinished);
 }

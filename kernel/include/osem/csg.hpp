@@ -72,7 +72,7 @@ class CsgExpression {
     /// for a token, more than one value is left in the end, an operand is none of the `operand_count`, or a
     /// kind or an operator is no value of its enumeration; expression_too_large for more than csg_most_tokens
     /// tokens, csg_most_operands operands or csg_most_repeated repeated ones. `where` is the first token at
-    /// fault, token_count when the end is.
+    /// fault, token_count when the end is. What is refused leaves the expression that was there before.
     Status begin(const CsgToken* tokens, std::uint32_t token_count, std::uint32_t operand_count,
                  std::uint32_t& where);
 

@@ -87,7 +87,8 @@ class StreamReader {
     /// first, so its pool must still be there.
     void begin(NodePool* pool);
 
-    /// Takes the next bytes. Status: ok so far, or the first fault, which then stays.
+    /// Takes the next bytes. Status: ok so far; or the first fault, which then stays; unfinished, and nothing
+    /// taken, when no reading was begun.
     Status feed(const std::uint8_t* bytes, std::size_t count);
 
     /// Whether a whole, undamaged header has been read; header() is meaningful from then on.
@@ -96,7 +97,8 @@ class StreamReader {
 
     /// Ends the stream. Status: ok; stream_truncated, stream_not_osem, stream_header_damaged,
     /// depth_out_of_range, stream_too_deep, stream_not_canonical, stream_count_mismatch,
-    /// stream_payload_damaged, stream_trailing_bytes; pool_exhausted with the nodes missing.
+    /// stream_payload_damaged, stream_trailing_bytes; pool_exhausted with the nodes missing; unfinished when
+    /// no reading was begun.
     StreamOutcome finish();
 
   private:
@@ -113,7 +115,7 @@ class StreamReader {
     std::uint64_t position_ = 0; ///< of the next byte, or of the fault
     std::uint32_t crc_ = 0;
     std::uint32_t crc_read_ = 0;
-    Status status_ = Status::ok;
+    Status status_ = Status::unfinished; ///< until begun
     bool has_header_ = false;
     std::uint8_t trailer_left_ = 0;
     std::uint8_t bytes_[stream_header_size] = {};

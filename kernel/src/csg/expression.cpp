@@ -47,7 +47,7 @@ Status CsgExpression::begin(const CsgToken* tokens, std::uint32_t token_count, s
     std::uint32_t values = 0;
     std::uint32_t repeated_count = 0;
     std::uint16_t once = 0;
-    repeated_ = 0;
+    std::uint16_t repeated = 0;
     for (std::uint32_t i = 0; i < token_count; ++i) {
         where = i;
         const int taken = values_taken(tokens[i], operand_count);
@@ -56,8 +56,8 @@ Status CsgExpression::begin(const CsgToken* tokens, std::uint32_t token_count, s
         ++values;
         if (tokens[i].kind != CsgTokenKind::operand) continue;
         const auto bit = static_cast<std::uint16_t>(1U << tokens[i].operand);
-        if ((once & bit) != 0 && (repeated_ & bit) == 0) {
-            repeated_ = static_cast<std::uint16_t>(repeated_ | bit);
+        if ((once & bit) != 0 && (repeated & bit) == 0) {
+            repeated = static_cast<std::uint16_t>(repeated | bit);
             if (++repeated_count > csg_most_repeated) return Status::expression_too_large;
         }
         once = static_cast<std::uint16_t>(once | bit);
@@ -66,6 +66,7 @@ Status CsgExpression::begin(const CsgToken* tokens, std::uint32_t token_count, s
     if (values != 1) return Status::expression_invalid;
     tokens_ = tokens;
     token_count_ = token_count;
+    repeated_ = repeated;
     return Status::ok;
 }
 

@@ -45,10 +45,7 @@ Status StreamReader::feed(const std::uint8_t* bytes, std::size_t count) {
 StreamOutcome StreamReader::finish() {
     if (status_ == Status::ok && trailer_left_ != 0) fail(Status::stream_truncated);
     StreamOutcome outcome = {builder_.finish(header_.depth), position_};
-    if (status_ != Status::ok) {
-        outcome.built.status = status_;
-        outcome.built.nodes_missing = 0;
-    }
+    if (status_ != Status::ok) outcome.built.status = status_;
     return outcome;
 }
 

@@ -13,8 +13,8 @@ struct Console {
     bool terminal; ///< whether `err` is one, so that progress is worth showing
 };
 
-/// All that a command says on `out` has been said: throws, as BadInput, if it could not be. Asked before files
-/// are put in their places.
+/// All that a command says on `out` has been said: throws, as BadInput, if it could not be. Asked before
+/// files are put in their places.
 void finish_printing(const Console& console);
 
 } // namespace osem::host

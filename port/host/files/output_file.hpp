@@ -9,10 +9,11 @@
 namespace osem::host {
 
 /// Writes to a new file beside the target and renames it over the target in commit(). Without commit the new
-/// file is removed and the target stays as it was. A target that is replaced passes on its permissions, but not
-/// to whom it belongs. A process that is killed leaves the new file behind, which is called as the target and
-/// .part0, or a higher number. A symbolic link is followed, unless to nothing, which is refused; a target that is no regular
-/// file (a device, a pipe) is written directly. Faults are thrown as BadInput that names the target.
+/// file is removed and the target stays as it was. A target that is replaced passes on its permissions, but
+/// not to whom it belongs. A process that is killed leaves the new file behind, which is called as the target
+/// and .part0, or a higher number. A symbolic link is followed, unless to nothing, which is refused; a target
+/// that is no regular file (a device, a pipe) is written directly. Faults are thrown as BadInput that names
+/// the target.
 class OutputFile {
   public:
     explicit OutputFile(const std::string& target);
