@@ -1,6 +1,8 @@
 // Osem's speed beside that of others: the same solids on the same lattice in one process, on one thread.
 #include "bench/suites.hpp"
 
+#include <iostream>
+
 namespace {
 
 void add_conversion(const std::string& solid, int depth) {
@@ -56,7 +58,11 @@ int main(int argc, char** argv) {
     add_conversions();
     add_threads();
     add_booleans();
-    benchmark::RunSpecifiedBenchmarks();
+    const std::size_t matched = benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
-    return 0;
+    if (matched != 0) return 0;
+    std::cerr
+        << "osem_bench: the filter matches no measurement; --benchmark_list_tests lists them, and a + in a "
+           "name is \\+ in a filter\n";
+    return 1;
 }

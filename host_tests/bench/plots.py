@@ -17,8 +17,8 @@ def curve(axes, method, points):
     points = sorted(points)
     if points:
         colour, marker = STYLE[method]
-        axes.loglog([x for x, _ in points], [y for _, y in points], color=colour, marker=marker, markersize=4,
-                    label=method)
+        axes.plot([x for x, _ in points], [y for _, y in points], color=colour, marker=marker, markersize=4,
+                  linestyle="--" if method.startswith("plain") else "-", label=method)
 
 
 def by_depth(axes, found, solid):
@@ -27,6 +27,7 @@ def by_depth(axes, found, solid):
                              for name, cells in found.subjects("convert")
                              if name == solid and found.get("convert", solid, cells, method)])
     axes.set(title=f"Conversion of {solid}", xlabel="cells along an axis", ylabel="ms")
+    axes.xaxis.set_major_formatter("{x:.0f}")
 
 
 def by_faces(axes, found, prefix, title):
@@ -53,8 +54,12 @@ def draw(found, path):
     by_faces(axes[1][1], found, "dot-", "Sphere of 1/16 of the root, at 1024")
     booleans(axes[1][2], found)
     for one in axes.flat[:5]:
+        one.set_xscale("log", base=2)
+        one.set_yscale("log")
         one.grid(True, which="both", alpha=0.3)
-        if one.lines:
-            one.legend(fontsize=8)
+        one.margins(x=0.1, y=0.35) # room for the legend above the curves
+        one.legend(fontsize=8, ncols=3, loc="upper left")
+    for one in axes.flat:
+        one.set_visible(bool(one.lines or one.patches)) # what was not measured is not drawn
     figure.tight_layout()
     figure.savefig(path, dpi=110)

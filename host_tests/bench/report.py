@@ -27,6 +27,25 @@ TITLES = {
 }
 
 
+EXPLANATION = """Milliseconds of one thread's processor time, the least of the repetitions; in brackets how many times those of the
+floor, which is the exact scanline (runs), or one thread where there are several. Osem's conversions write into a pool of the
+right size, which a counting pass has found that is not timed; several threads are timed by the clock, both passes. What others
+make is freed while the clock stands. Booleans leave out what makes the operands.
+
+- `osem-centre`, `osem-three`: octrees by grids, centre leaves or three-valued ones; `plain-*`: octant by octant. `osem-pool`,
+  `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB).
+- `scan-runs`, `scan-bits`: the scanline's rows of runs, and a bit a cell of them; `runs`: their Booleans.
+- `vdb-fill`: OpenVDB's meshToVolume and interior mask; `vdb-topology`: Booleans of masks of the exact cells; `vdb-csg`: of level
+  sets; `cgal`: corefinement of the meshes.
+
+A cell is inside where the exact winding number of its centre is not 0. Centres on the surface count by where the centre lies when
+it is moved by (e, e^2, e^3) for an infinitesimal e: Osem and the scanline alike. "Cells that differ" do so from that.
+Bytes of result: the pool's nodes (for `osem-pool` those added to the operands', which are shared), runs, bits or OpenVDB's grids.
+Bytes of memory: the same with operands, job and scratch as allocated, without the solid, without what OpenVDB and CGAL take on the way.
+A node in a Boolean's cost is one of the operands.
+"""
+
+
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
@@ -48,7 +67,7 @@ def ratios(found, theme):
             one = found.get(theme, solid, cells, method)
             text = "" if one is None else milliseconds(one.ms)
             if one is not None and floor is not None and method != FLOOR[theme]:
-                text += f" ({one.ms / floor.ms:.3g}x)"
+                text += f" ({milliseconds(one.ms / floor.ms)}x)"
             row.append(text)
         rows.append(row)
     return table(["solid, cells along an axis"] + methods, rows)
@@ -78,10 +97,7 @@ def details(found, theme, columns):
 
 def report(found):
     parts = ["# Osem measured\n", found.context() + "\n"]
-    parts += ["Milliseconds of one thread's processor time, the least of the repetitions; in brackets how many times "
-              "the floor's, which is the exact scanline (runs). Osem's conversions write into a pool of the right size, which a "
-              "counting pass has found that is not timed (but where there are several threads: both passes are); what others "
-              "make is freed while the clock stands.\n"]
+    parts += [EXPLANATION]
     for theme, title in TITLES.items():
         if not found.subjects(theme):
             continue

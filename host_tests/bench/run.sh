@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Measures Osem beside an exact scanline, OpenVDB and CGAL, and writes report.md, report.json and report.png to
 # build/bench (or bench in $OSEM_BUILD_DIR). Installs what it needs. A regular expression as argument picks what
-# is run: theme/solid/cells along an axis/method, as in 'convert/armadillo/1024'. No test: figures depend on
-# the machine, and on what else runs there.
+# is run: theme/solid/cells along an axis/method, as in 'convert/armadillo/1024' or 'union/armadillo.elephant/512';
+# build/bench/host_tests/bench/osem_bench --benchmark_list_tests lists all. No test: figures depend on the machine,
+# and on what else runs there.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=$(realpath -m "${OSEM_BUILD_DIR:-$root/build}")

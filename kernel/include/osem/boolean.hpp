@@ -33,7 +33,7 @@ class Combination {
     /// Exact progress: how much of the root's volume (2^60 cells) is decided.
     std::uint64_t decided_volume() const;
 
-    /// Pairs of nodes visited so far.
+    /// Pairs of nodes visited so far; begin visits the first, that of the two root octants.
     std::uint64_t nodes_visited() const { return visited_; }
 
     /// The result; as Conversion::finish. Status: ok; pool_exhausted; unfinished. When not ok pool and

@@ -63,10 +63,11 @@ class GridConversion {
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
     /// Of an octant other than the root the tree is the subtree below it, of depth options.depth less the
     /// octant's level: so the eight children of an octant may be converted side by side, by a job each.
-    /// Scratch: at least a list of all faces, grid_scratch(solid.view(), that depth, grids.last_levels) words
-    /// for certain; in use until finish. A conversion that was not finished is given up first. Status: ok;
-    /// depth_out_of_range, also for last_levels and for an octant that is none or not above full depth;
-    /// scratch_too_small for the faces. When not ok, nothing has begun.
+    /// Scratch: at least a list of all faces (a word each if the first grid is the last, else three),
+    /// grid_scratch(solid.view(), that depth, grids.last_levels) words for certain; in use until finish. A
+    /// conversion that was not finished is given up first. Status: ok; depth_out_of_range, also for
+    /// last_levels and for an octant that is none or not above full depth; scratch_too_small for the faces.
+    /// When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                  std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids = GridOptions());
 
@@ -79,7 +80,7 @@ class GridConversion {
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.
     bool exhausted() const { return builder_.exhausted(); }
 
-    /// Exact progress: how much of the octant's volume (2^60 cells of the root) is decided.
+    /// Exact progress: how much of the octant's volume is decided, in cells of which the root has 2^60.
     std::uint64_t decided_volume() const;
 
     /// Grids visited so far.

@@ -72,8 +72,11 @@ void refuse_contradictions(const ConvertArguments& options) {
     if (centre && options.conversion.depth == max_depth) {
         throw CLI::ValidationError("--depth", "centre leaves end at depth 19");
     }
-    if (options.threads && (options.nodes || options.technique != Technique::grids)) {
-        throw CLI::ValidationError("--threads", "only grids are converted on several threads");
+    if (options.threads && options.nodes) {
+        throw CLI::ValidationError("--threads", "--fit converts by divide and conquer, on one thread");
+    }
+    if (options.threads && options.technique != Technique::grids) {
+        throw CLI::ValidationError("--threads", "is for --technique grids");
     }
     if (options.technique != Technique::bintree) return;
     if (centre) throw CLI::ValidationError("--technique", "bintree has no centre leaves");
@@ -151,7 +154,8 @@ void add_convert(CLI::App& app, const Console& console) {
         ->add_option_function<std::string>(
             "--fit", [options](const std::string& text) { options->nodes = parse_node_budget(text); },
             "Convert at the finest depth, up to that of --depth, whose tree takes no more from a pool: nodes "
-            "(600) or memory (8KB; units B, KB, MB), the top node not counted. Prints the depth")
+            "(600) or memory (8KB; units B, KB, MB), the top node not counted; octant by octant. Prints the "
+            "depth")
         ->check([](const std::string& text) {
             return parse_node_budget(text) ? std::string() : "expected nodes of a pool, or B, KB or MB";
         })
@@ -166,8 +170,9 @@ void add_convert(CLI::App& app, const Console& console) {
     add_solid_options(*command, options->solid);
     command->add_flag(
         "--stats", options->stats,
-        "Print the grids, octants or blocks visited, nodes, memory and time; but for grids also how many "
-        "faces each stage rejected and accepted");
+        "Print the grids, octants or blocks visited, nodes, memory (job, scratch as far as it was used, and "
+        "pool) and the time of the pass that writes (on several threads: of both passes); but for grids also "
+        "how many faces each stage rejected and accepted");
     add_output(*command, "--quantized", options->quantized,
                "Also write the integer solid actually converted, in lattice units (0 to 2^20)")
         ->type_name("Q.off");
