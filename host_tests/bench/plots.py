@@ -27,7 +27,6 @@ def by_depth(axes, found, solid):
                              for name, cells in found.subjects("convert")
                              if name == solid and found.get("convert", solid, cells, method)])
     axes.set(title=f"Conversion of {solid}", xlabel="cells along an axis", ylabel="ms")
-    axes.xaxis.set_major_formatter("{x:.0f}")
 
 
 def by_faces(axes, found, prefix, title):
@@ -55,10 +54,12 @@ def draw(found, path):
     booleans(axes[1][2], found)
     for one in axes.flat[:5]:
         one.set_xscale("log", base=2)
+        one.xaxis.set_major_formatter("{x:,.0f}")
         one.set_yscale("log")
         one.grid(True, which="both", alpha=0.3)
         one.margins(x=0.1, y=0.35) # room for the legend above the curves
-        one.legend(fontsize=8, ncols=3, loc="upper left")
+        if one.lines:
+            one.legend(fontsize=8, ncols=3, loc="upper left")
     for one in axes.flat:
         one.set_visible(bool(one.lines or one.patches)) # what was not measured is not drawn
     figure.tight_layout()
