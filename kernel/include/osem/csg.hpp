@@ -158,7 +158,7 @@ struct CsgFault {
     std::uint32_t token;   ///< expression_invalid, expression_too_large: the token at fault
     std::uint32_t operand; ///< operand_repeated, depth_out_of_range, scratch_too_small, faults of a stream:
                            ///< the operand at fault; the operand count when the options are
-    std::uint64_t offset;  ///< faults of a stream: the byte at which it was seen
+    std::uint64_t offset;  ///< faults of a stream: the byte at which it was seen; else of no meaning
 };
 
 /// Outcome of a walk: the tree, and why there is none.
