@@ -52,7 +52,7 @@ def table(head, rows):
     return "\n".join(lines) + "\n"
 
 
-def milliseconds(value):
+def three_digits(value):
     return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
 
 
@@ -65,9 +65,9 @@ def ratios(found, theme):
         row = [f"{solid}, {cells}"]
         for method in methods:
             one = found.get(theme, solid, cells, method)
-            text = "" if one is None else milliseconds(one.ms)
+            text = "" if one is None else three_digits(one.ms)
             if one is not None and floor is not None and method != FLOOR[theme]:
-                text += f" ({milliseconds(one.ms / floor.ms)}x)"
+                text += f" ({three_digits(one.ms / floor.ms)}x)"
             row.append(text)
         rows.append(row)
     return table(["solid, cells along an axis"] + methods, rows)

@@ -217,7 +217,6 @@ TEST(Csg, OnWindingNumbersEveryRuleIsItsOwn) {
     EXPECT_EQ(expand(outcome.built.tree, 4), inner_box);
 }
 
-// Solids whose surface does not meet the open root: none at all, and the root's own.
 TEST(Csg, ARefusedExpressionLeavesTheOneBefore) {
     const CsgToken twice[] = {CsgToken::of(0), CsgToken::of(0), CsgToken::of(Operator::exclusive_or)};
     const CsgToken two_values[] = {CsgToken::of(1), CsgToken::of(0)};
@@ -228,6 +227,7 @@ TEST(Csg, ARefusedExpressionLeavesTheOneBefore) {
     EXPECT_EQ(expression.evaluate(CsgColours{1, 0}).colour(), Colour::white); // whatever the operand is
 }
 
+// Solids whose surface does not meet the open root: none at all, and the root's own.
 TEST(Csg, SolidsThatTheRootDoesNotShow) {
     const SmallSolid nothing;
     const SmallSolid all = box_solid({Point{{0, 0, 0}}, Point{{root_side, root_side, root_side}}});
