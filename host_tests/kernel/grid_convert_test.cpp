@@ -224,6 +224,19 @@ TEST(GridConversion, FacesWithoutArea) {
     expect_same(points, 1, 6);
 }
 
+// Along edges and a side of octants of depth 4, from corner to corner and back: in none of them, though its
+// corners are as far apart as theirs.
+TEST(GridConversion, QuadranglesThatRunBackOnThemselvesBesideOctants) {
+    constexpr std::int32_t side = root_side / 16;
+    const auto at = [](std::int32_t x, std::int32_t y, std::int32_t z) {
+        return Point{{5 * side + x, 7 * side + y, 9 * side + z}};
+    };
+    const Point b = at(side, 0, 0);
+    SmallSolid solid;
+    solid.add_face({{at(0, 0, 0), b, at(side, side, side), b}});
+    expect_same(solid, 2, 6);
+}
+
 TEST(GridConversion, WindingNumbersOfManyTetrahedra) { expect_same(tetrahedra(7, root_side / 8, 300), 2, 4); }
 
 Octree subtree(const Octree& tree, unsigned child) {
@@ -256,9 +269,30 @@ void expect_apart(const SmallSolid& solid, const ConvertOptions& options, const 
     }
 }
 
+// Tetrahedra that are smaller than leaves, but for those that lie across several.
+SmallSolid crumbs(int count) {
+    constexpr std::int32_t size = root_side / 128;
+    std::mt19937 random(9);
+    SmallSolid solid;
+    for (; count > 0; --count) {
+        const Point a = random_point(random, size);
+        Point b[3] = {a, a, a};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            b[axis].at[axis] += a.at[axis] < root_side ? size : -size;
+        solid.add_face({{a, b[1], b[0]}});
+        solid.add_face({{a, b[2], b[1]}});
+        solid.add_face({{a, b[0], b[2]}});
+        solid.add_face({{b[0], b[1], b[2]}});
+    }
+    return solid;
+}
+
 TEST(GridConversion, OctantsApart) {
     const SmallSolid soup = tetrahedra(5, root_side / 64, 6);
-    for (const SmallSolid& solid : {soup, boxes_solid({box(1, 15), box(3, 12, -1), box(5, 9)})}) {
+    const SmallSolid boxes = boxes_solid({box(1, 15), box(3, 12, -1), box(5, 9)});
+    const std::int32_t half = root_side / 2; // into every child of the root by one
+    const SmallSolid speck = octahedron_solid(Octahedron{{{half, half, half}}, 1});
+    for (const SmallSolid& solid : {soup, boxes, crumbs(50), speck}) {
         for (const LeafRule leaves : leaf_rules) {
             const ConvertOptions options = {5, leaves};
             HeapPool pool(100000);
@@ -400,7 +434,7 @@ TEST(GridConversion, Refusals) {
 // before.
 TEST(GridConversion, ScratchForLongLists) {
     SmallSolid solid;
-    for (std::int32_t radius = 9; radius < 15; ++radius) {
+    for (std::int32_t radius = 9; radius < 24; ++radius) {
         solid.add(octahedron_solid(Octahedron{{{700001, 100003, 400005}}, 1000 * radius}));
     }
     const ConvertOptions options = {9};

@@ -121,6 +121,7 @@ TEST(ReadOnlyPool, ClipsItsCountAndMayBeEmpty) {
     NodePool empty = NodePool::over(nullptr, 0);
     NodeIndex first = 0;
     EXPECT_EQ(empty.append(nodes, 1, first), Status::pool_exhausted);
+    EXPECT_EQ(empty.append(nodes, 0, first), Status::ok) << "no refusal, as everywhere";
     EXPECT_EQ(leaf_at(Octree::uniform(empty, Colour::black), Point{{1, 2, 3}}).leaf.colour, Colour::black);
 }
 

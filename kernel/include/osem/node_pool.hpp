@@ -137,6 +137,9 @@ class OSEM_OF_INDEX_WIDTH NodePool {
 
   private:
     friend class Compactor;
+    friend class TreeBuilder;
+    /// Room for so many more nodes, which are in use now; or null. Precondition: count > 0.
+    Node* extend(std::uint32_t count, NodeIndex& first);
     constexpr NodePool(const Node* nodes, Node* memory, std::uint32_t capacity, std::uint32_t used)
         : nodes_(nodes), memory_(memory), capacity_(clipped(capacity)), used_(clipped(used)), peak_(used_) {}
     static constexpr std::uint32_t clipped(std::uint32_t count) {

@@ -90,7 +90,8 @@ class TreeBuilder {
         std::uint8_t child; ///< which child of the level above this is
     };
     bool equals_group(const Level& level, std::uint8_t grey, const Node* like) const;
-    NodeIndex write_group(const Node* nodes, std::uint32_t count);
+    Node* extend(std::uint32_t count, NodeIndex& first);
+    void write_group(const Level& level, std::uint8_t grey, NodeIndex& first);
     void set_child(unsigned child, const Node& node);
 
     NodePool* pool_ = nullptr;

@@ -23,8 +23,7 @@ class Plane {
 
     /// The same for the face whose corners are [corner, end).
     Plane(const Solid& solid, const std::uint32_t* corner, const std::uint32_t* end)
-        : origin_(solid.vertices[*corner]), normal_{NormalComponent::claim(0), NormalComponent::claim(0),
-                                                    NormalComponent::claim(0)} {
+        : Plane(solid.vertices[*corner]) {
         const Point* second = nullptr;
         for (++corner; corner != end && is_null(); ++corner) {
             const Point& p = solid.vertices[*corner];
@@ -35,6 +34,11 @@ class Plane {
             }
         }
     }
+
+    /// With the null normal.
+    explicit Plane(const Point& origin)
+        : origin_(origin), normal_{NormalComponent::claim(0), NormalComponent::claim(0),
+                                   NormalComponent::claim(0)} {}
 
     bool is_null() const {
         return normal_[0].value() == 0 && normal_[1].value() == 0 && normal_[2].value() == 0;

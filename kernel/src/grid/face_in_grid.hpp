@@ -3,59 +3,121 @@
 #define OSEM_GRID_FACE_IN_GRID_HPP
 
 #include "geometry/plane.hpp"
+#include "grid/extent.hpp"
 #include "grid/octant_grid.hpp"
 #include "grid/row_windings.hpp"
+#include "osem/grid_convert.hpp"
 #include "osem/solid.hpp"
 
 namespace osem {
 
 struct SeenEdge;
 
-/// A face and a grid, which must both outlive it. Cost of making it: O(corners of the face).
+/// A face and a grid, which must both outlive it. Precondition: its extent overlaps the octant that the grid
+/// makes up. Cost of making it: O(corners of the face).
 class FaceInGrid {
   public:
-    static constexpr std::uint32_t scratch_words = 48;
+    /// Words for what is found out about a grid's rows and slabs.
+    // unreachable: at run time, as the compiler asks.
+    static constexpr std::uint32_t scratch_words(int levels) { return levels < most_grid_levels ? 48 : 72; }
 
-    FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid);
+    FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid)
+        : solid_(solid), grid_(grid), face_(face), first_ring_(solid.first_ring(face)),
+          ring_end_(solid.end_ring(face)), corners_(solid.corners + solid.first_corner(first_ring_)),
+          end_(solid.corners + solid.first_corner(ring_end_)), extent_(solid, corners_, end_),
+          plane_(extent_.low) {}
 
-    /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + scratch_words words.
-    std::uint64_t octants_met(std::uint32_t* scratch) const;
+    /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + scratch_words(levels).
+    std::uint64_t octants_met(std::uint32_t* scratch) {
+        Index index;
+        if (is_in_one(index)) return std::uint64_t{1} << (index.at[0] + 4 * index.at[1] + 16 * index.at[2]);
+        return octants_of_many(scratch);
+    }
 
     /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
     /// quadrangles: a few steps for each row of octants that it is seen to meet along x, and for each row of
     /// squares that it is seen to meet along y and z. For other faces: a classification of each octant in the
-    /// face's bounding box through which its plane passes. Scratch: scratch_words words.
-    void mark(std::uint32_t* rows, std::uint32_t* scratch) const;
+    /// face's bounding box through which its plane passes. Scratch: scratch_words(levels).
+    void mark(std::uint32_t* rows, std::uint32_t* scratch) {
+        Index index;
+        if (is_in_one(index)) {
+            rows[grid_.row(index.at[1], index.at[2])] |= std::uint32_t{1} << index.at[0];
+        } else {
+            mark_many(rows, scratch);
+        }
+    }
 
     /// Adds what it adds to the winding number on the way from the reference point of the grid's corner
     /// octant to every other one: along z first, then y, then x, as crossing of each step. Cost: a few steps
     /// for each row that it crosses; for other faces than above also each edge for each row of rows. Scratch:
-    /// scratch_words.
-    void add_crossings(RowWindings& windings, std::uint32_t* scratch) const;
+    /// scratch_words(levels).
+    void add_crossings(RowWindings& windings, std::uint32_t* scratch) {
+        // A ray is between the face's ends along both other axes: as those of few small faces are.
+        if (int{has_between(axis_x)} + int{has_between(axis_y)} + int{has_between(axis_z)} < 2) return;
+        pass_all(windings, scratch);
+    }
 
   private:
     class Slabs;
     class Passages;
+    struct Index {
+        std::int32_t at[3];
+    };
+    // The octants that its bounding box overlaps; and the axes along which it lies between the ends of the
+    // only interval.
+    struct Ranges {
+        IndexRange along[3];
+        unsigned within; // a bit for each of these axes
+
+        const IndexRange& operator[](int axis) const { return along[axis]; }
+        bool is_within(int axis) const { return (within >> axis & 1U) != 0; }
+        bool is_within_two() const { return within == 3 || within >= 5; }
+    };
+    Ranges ranges() const;
+    // Whether it meets one octant and lies between its sides. A triangle has its inner points there; longer
+    // rings may have none.
+    bool is_in_one(Index& index) const {
+        std::int32_t differing = end_ - corners_ == 3 ? 0 : 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t first = (extent_.low.at[axis] - grid_.corner.at[axis]) >> grid_.shift;
+            const std::int32_t last = (extent_.high.at[axis] - 1 - grid_.corner.at[axis]) >> grid_.shift;
+            differing |= first ^ last;
+            index.at[axis] = first;
+        }
+        OSEM_ASSERT(differing != 0 || (index.at[0] | index.at[1] | index.at[2]) >> grid_.levels == 0);
+        return differing == 0;
+    }
+    std::uint64_t octants_of_many(std::uint32_t* scratch);
+    // Its plane is made when it is asked for first: most faces do without.
+    const Plane& plane() {
+        if (!has_plane_) plane_ = Plane(solid_, corners_, end_);
+        has_plane_ = true;
+        return plane_;
+    }
     bool is_convex(const Plane& plane) const;
     // It must reach beyond both ends of an open interval.
     IndexRange overlapped(int axis) const {
-        return grid_.octants_between(axis, low_.at[axis], high_.at[axis]);
+        return grid_.octants_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
     }
-    bool is_within(int axis, const IndexRange& range) const;
-    int axes_within(const IndexRange (&range)[3]) const;
-    bool meets_all_of(const IndexRange (&range)[3]) const {
-        return end_ - corners_ == 3 && axes_within(range) > 1;
+    // Whether there are reference points between its ends along an axis, in the grid or beyond.
+    [[gnu::always_inline]] bool has_between(int axis) const {
+        const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
+        return (extent_.low.at[axis] - 1 - first) >> grid_.shift !=
+               (extent_.high.at[axis] - 1 - first) >> grid_.shift;
     }
-    IndexRange between(int axis) const { return grid_.points_between(axis, low_.at[axis], high_.at[axis]); }
-    void mark_in(const IndexRange (&range)[3], std::uint32_t* rows, std::uint32_t* scratch) const;
-    void mark_convex(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows,
+    IndexRange between(int axis) const {
+        return grid_.points_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
+    }
+    void mark_many(std::uint32_t* rows, std::uint32_t* scratch);
+    void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
-    void mark_all(const IndexRange (&range)[3], std::uint32_t* rows) const;
-    void see(int u, int v, const Plane& plane, const IndexRange (&range)[3], Slabs& slabs) const;
-    void add_edge(int u, int v, const SeenEdge& edge, bool left, Slabs& slabs) const;
-    void classify_octants(const Plane& plane, const IndexRange (&range)[3], std::uint32_t* rows) const;
+    void mark_all(const Ranges& range, std::uint32_t* rows) const;
+    void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
+    void add_edge(int u, int v, const SeenEdge& edge, bool right, Slabs& slabs) const;
+    void classify_octants(const Plane& plane, const Ranges& range, std::uint32_t* rows) const;
+    void pass_all(RowWindings& windings, std::uint32_t* scratch);
     void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
-              std::uint32_t* scratch) const;
+              std::uint32_t* scratch);
     void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                      std::uint32_t* scratch) const;
     void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
@@ -69,8 +131,9 @@ class FaceInGrid {
     std::uint32_t ring_end_;
     const std::uint32_t* corners_;
     const std::uint32_t* end_;
-    Point low_;  ///< the least coordinates of the face
-    Point high_; ///< the greatest ones
+    Extent extent_;
+    Plane plane_;
+    bool has_plane_ = false;
 };
 
 } // namespace osem

@@ -14,30 +14,37 @@ constexpr std::uint32_t winding_words = 64; // of the reference points of the oc
 
 // They are also where a face's octants and tables lie; and a last grid's space is for its tables, then for
 // its parts.
-static_assert(winding_words >= 16 + FaceInGrid::scratch_words, "room to meet a face above the last grid");
-static_assert(last_grid_space(1) >= FaceInGrid::scratch_words, "room to meet a face in the last grid");
+static_assert(winding_words >= 16 + FaceInGrid::scratch_words(2), "room to meet a face above the last grid");
+static_assert(last_grid_space(4) >= FaceInGrid::scratch_words(4) &&
+                  last_grid_space(5) >= FaceInGrid::scratch_words(5),
+              "room to meet a face in the last grid");
 static_assert(last_grid_space(4) >= 16 + 4 && last_grid_space(5) >= 64 + 16 + 4,
               "room for the parts' states");
 
-// Words an entry of a list: a face; above the last grid also the octants that it meets, the low half first.
-constexpr std::uint32_t entry_words(bool last) { return last ? 1 : 3; }
+// Words of a list, behind each other: the faces; above the last grid also which octants each of them meets,
+// the low halves first, then the high ones; and the winding numbers.
+constexpr std::uint64_t list_words(bool last, std::uint32_t faces) {
+    return last ? faces : std::uint64_t{3} * faces;
+}
+constexpr std::uint32_t in_a_look = 8; // halves that are looked at at once
+static_assert(winding_words >= in_a_look, "a look at the last half ends in the words behind it");
 
-// The faces that meet a grid's octant.
+// The faces that meet a grid's octant; of the first grid, those whose extents reach into it.
 struct GridList {
     const Solid& solid;
-    std::uint32_t* first;
-    const std::uint32_t* end;
-    std::uint32_t step; // words an entry
+    const std::uint32_t* faces;
+    std::uint32_t count;
 
     // Notes for every face which octants it meets; the union. Adds what is crossed. `space` is scratch of 64
     // words.
-    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* space) const {
+    std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* halves,
+                       std::uint32_t* space) const {
         std::uint64_t met = 0;
-        for (std::uint32_t* entry = first; entry != end; entry += step) {
-            const FaceInGrid face(solid, *entry, grid);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            FaceInGrid face(solid, faces[i], grid);
             const std::uint64_t octants = face.octants_met(space);
-            entry[1] = static_cast<std::uint32_t>(octants);
-            entry[2] = static_cast<std::uint32_t>(octants >> 32);
+            halves[i] = static_cast<std::uint32_t>(octants);
+            halves[count + i] = static_cast<std::uint32_t>(octants >> 32);
             met |= octants;
             face.add_crossings(windings, space);
         }
@@ -47,8 +54,8 @@ struct GridList {
     // The same, the octants met in rows, if they are wanted.
     void meet_leaves(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met,
                      std::uint32_t* space) const {
-        for (const std::uint32_t* entry = first; entry != end; entry += step) {
-            const FaceInGrid face(solid, *entry, grid);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            FaceInGrid face(solid, faces[i], grid);
             if (met != nullptr) face.mark(met, space);
             face.add_crossings(windings, space);
         }
@@ -68,7 +75,7 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
     if (!is_octant(grids.octant) || grids.octant.level >= options.depth) return Status::depth_out_of_range;
     const int levels = options.depth - grids.octant.level;
     const bool first_is_last = upper_levels(levels, grids.last_levels) == 0;
-    if (scratch_size < std::uint64_t{entry_words(first_is_last)} * solid.view().face_count) {
+    if (scratch_size < list_words(first_is_last, solid.view().face_count)) {
         return Status::scratch_too_small;
     }
     octant_ = grids.octant;
@@ -88,7 +95,9 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
 bool GridConversion::step(std::uint32_t grids) {
     for (; grids > 0 && builder_.building(); --grids) {
         Entry entry = {};
-        if (started_ ? enter_next(entry) : enter_root(entry)) visit(entry);
+        if (started_ ? enter_next(entry) : enter_root(entry)) {
+            is_last() ? visit_last(entry) : visit(entry);
+        }
         ++visited_;
     }
     return builder_.building();
@@ -117,14 +126,20 @@ bool GridConversion::enter_root(Entry& entry) {
     Point start = octant_.corner; // where the way along x to the octant's reference point enters the root
     start.at[axis_x] = -1;
     for (int axis = 1; axis < 3; ++axis) start.at[axis] += offset();
-    entry = Entry{octant_.corner, 0, solid_.face_count, 0};
-    const std::uint32_t step = entry_words(is_last());
-    std::uint32_t* word = scratch_;
-    for (std::uint32_t face = 0; face < solid_.face_count; ++face, word += step) {
-        *word = face;
-        entry.winding += crossing(solid_, face, start, axis_x, octant_.corner.x() + offset() + 1);
+    entry = Entry{octant_.corner, 0, 0, 0};
+    const std::int32_t length = octant_.corner.x() + offset() + 1;
+    for (std::uint32_t face = 0; face < solid_.face_count; ++face) {
+        const Extent extent(solid_, face);
+        bool overlaps = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t corner = octant_.corner.at[axis];
+            overlaps = overlaps && extent.overlaps(axis, corner, corner + octant_.side());
+        }
+        if (overlaps) scratch_[entry.faces++] = face;
+        if (!extent.has(axis_y, start.y()) || !extent.has(axis_z, start.z())) continue;
+        entry.winding += crossing(solid_, face, start, axis_x, length);
     }
-    return reserve(0, step * solid_.face_count); // as begin has seen
+    return reserve(0, entry.faces); // as begin has seen
 }
 
 // Goes on to the next octant of the innermost grid that faces meet. False when there is no room for its list.
@@ -135,7 +150,7 @@ bool GridConversion::enter_next(Entry& entry) {
     if (!is_of_eight(grids_ - 1)) open_child(above, m >> 3);
     builder_.open(m & 7U);
     const unsigned place = place_of(m);
-    const std::uint32_t windings = above.first + entry_words(false) * above.faces;
+    const std::uint32_t windings = above.first + 3 * above.faces;
     entry =
         Entry{above.corner, windings + winding_words, 0, static_cast<std::int32_t>(scratch_[windings + m])};
     const int shift = lattice_bits - level_of(grids_ - 1);
@@ -157,19 +172,28 @@ void GridConversion::open_child(Frame& frame, unsigned child) {
     builder_.leaves(black, black);
 }
 
-// Copies the faces that meet an octant to a list of its own. False when there is no room.
+// Copies the faces that meet an octant to a list of its own. False when there is no room. Mostly few do: so
+// some are looked at at once, and if any of them meets it all are written, each over those before that do
+// not.
 bool GridConversion::select(const Frame& above, unsigned place, Entry& entry) {
-    const unsigned half = 1 + (place >> 5);
+    const std::uint32_t* const faces = scratch_ + above.first;
+    const std::size_t words_before = (std::size_t{1} + (place >> 5)) * above.faces;
+    const std::uint32_t* const halves = faces + words_before;
     const unsigned bit = place & 31U;
-    const std::uint32_t step = entry_words(is_last());
-    const std::uint32_t* const end = scratch_ + above.first + std::size_t{entry_words(false)} * above.faces;
-    for (const std::uint32_t* face = scratch_ + above.first; face != end; face += entry_words(false)) {
-        if ((face[half] >> bit & 1U) == 0) continue;
-        const std::uint32_t word = entry.first + step * entry.faces++;
-        if (!reserve(word, step)) return false;
-        scratch_[word] = *face;
+    std::uint32_t* const list = scratch_ + entry.first;
+    const std::uint32_t room = scratch_size_ - entry.first;
+    std::uint32_t count = 0;
+    for (std::uint32_t first = 0; first < above.faces; first += in_a_look) {
+        std::uint32_t any = 0;
+        for (std::uint32_t i = 0; i < in_a_look; ++i) any |= halves[first + i];
+        if ((any >> bit & 1U) == 0) continue;
+        for (std::uint32_t i = first; i < above.faces && i < first + in_a_look; ++i) {
+            if (count < room) list[count] = faces[i];
+            count += halves[i] >> bit & 1U;
+        }
     }
-    return true;
+    entry.faces = count;
+    return reserve(entry.first, count);
 }
 
 // Whether the scratch has so many words behind others; they are then in use.
@@ -184,24 +208,33 @@ void GridConversion::overflow() {
     builder_.abandon();
 }
 
+// A grid above the last ones. This stands beside visit_last, not above it, so that their stacks do not add
+// up.
 void GridConversion::visit(const Entry& entry) {
-    if (is_last()) return visit_last(entry);
     const int level = level_of(grids_);
     const OctantGrid grid = {entry.corner, lattice_bits - level, offset(), is_of_eight(grids_) ? 1 : 2};
-    const std::uint32_t words = entry.first + entry_words(false) * entry.faces;
-    const GridList list = {solid_, scratch_ + entry.first, scratch_ + words, entry_words(false)};
-    if (!reserve(words, winding_words)) return overflow();
-    const std::uint32_t behind = words + winding_words;
+    const GridList list = {solid_, scratch_ + entry.first, entry.faces};
+    const std::uint64_t needed = list_words(false, entry.faces) + winding_words;
+    if (needed > scratch_size_ - entry.first) return overflow();
+    const auto behind = static_cast<std::uint32_t>(entry.first + needed);
+    const std::uint32_t words = behind - winding_words;
+    reserve(words, winding_words);
     RowWindings windings(scratch_ + behind, scratch_size_ - behind, grid.levels, options_.winding);
     if (windings.overflowed()) return overflow();
-    const std::uint64_t met = list.meet(grid, windings, scratch_ + words); // where winding numbers are to be
-    windings.finish(entry.winding);
+    const std::uint64_t met = list.meet(grid, windings, scratch_ + entry.first + entry.faces,
+                                        scratch_ + words); // where winding numbers are to be
     if (windings.overflowed()) return overflow();
+    windings.finish(entry.winding);
     reserve(behind, windings.words_used());
-    std::uint32_t* const rows = scratch_ + words;
-    windings.inside(rows);
+    for (std::uint32_t i = 0; i < in_a_look; ++i) scratch_[words + i] = 0; // looked at with the last halves
     const std::uint64_t open = in_morton_order(met);
-    const std::uint64_t inside = in_morton_order(as_mask(rows, 0, grid.levels) & ~met);
+    for (std::uint64_t left = open; left != 0; left &= left - 1) {
+        const unsigned m = lowest_of(left);
+        const unsigned place = place_of(m);
+        const std::uint32_t row = (place >> 2 & 3U) + ((place >> 4) << grid.levels);
+        scratch_[words + m] = static_cast<std::uint32_t>(windings.at(row, place & 3U));
+    }
+    const std::uint64_t inside = in_morton_order(as_mask(windings.inside(), 0, grid.levels) & ~met);
     if (is_of_eight(grids_)) {
         builder_.leaves(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(inside));
     } else {
@@ -209,12 +242,6 @@ void GridConversion::visit(const Entry& entry) {
     }
     if (open == 0) return close();
     frames_[grids_++] = Frame{entry.corner, entry.first, entry.faces, open, inside, no_child};
-    for (std::uint64_t left = open; left != 0; left &= left - 1) {
-        const unsigned m = lowest_of(left);
-        const unsigned place = place_of(m);
-        const std::uint32_t row = (place >> 2 & 3U) + ((place >> 4) << grid.levels);
-        scratch_[words + m] = static_cast<std::uint32_t>(windings.at(row, place & 3U));
-    }
 }
 
 // A grid whose octants are leaves.
@@ -225,20 +252,18 @@ void GridConversion::visit_last(const Entry& entry) {
     const std::uint32_t list_end = entry.first + entry.faces;
     const std::uint32_t behind = list_end + (three_valued ? rows : 0) + last_grid_space(last_levels_);
     if (!reserve(list_end, behind - list_end)) return overflow();
-    const GridList list = {solid_, scratch_ + entry.first, scratch_ + list_end, entry_words(true)};
+    const GridList list = {solid_, scratch_ + entry.first, entry.faces};
     std::uint32_t* const met = three_valued ? scratch_ + list_end + last_grid_space(last_levels_) : nullptr;
     if (three_valued) {
         for (std::uint32_t row = 0; row < rows; ++row) met[row] = 0;
     }
-    std::uint32_t* const inside = scratch_ + behind;
-    RowWindings windings(inside, scratch_size_ - behind, last_levels_, options_.winding);
+    RowWindings windings(scratch_ + behind, scratch_size_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
     list.meet_leaves(grid, windings, met, scratch_ + list_end);
-    windings.finish(entry.winding);
     if (windings.overflowed()) return overflow();
+    windings.finish(entry.winding);
     reserve(behind, windings.words_used());
-    windings.inside(inside);
-    GridLeaves{last_levels_, inside, met, scratch_ + list_end}.set(builder_);
+    GridLeaves{last_levels_, windings.inside(), met, scratch_ + list_end}.set(builder_);
     close();
 }
 

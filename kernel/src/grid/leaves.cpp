@@ -21,6 +21,10 @@ constexpr std::uint32_t all_of_four(std::uint32_t bits) {
     return bits & bits >> 1 & every_state;
 }
 
+constexpr std::uint64_t two_rows(const std::uint32_t* row) { return row[0] | std::uint64_t{row[1]} << 32; }
+constexpr std::uint32_t both_or(std::uint64_t rows) { return static_cast<std::uint32_t>(rows | rows >> 32); }
+constexpr std::uint32_t both_and(std::uint64_t rows) { return static_cast<std::uint32_t>(rows & rows >> 32); }
+
 // The states of a word as members of a mask, by their lowest bits.
 constexpr std::uint8_t lowest_of_states(std::uint32_t states) {
     states &= every_state;
@@ -91,20 +95,23 @@ void GridLeaves::sum_up() const {
     }
 }
 
+// By two rows at a time: only what they have in common counts.
 std::uint32_t GridLeaves::states_of_parts(std::uint32_t first_row) const {
-    std::uint32_t any_may = 0;
-    std::uint32_t all_may = ~std::uint32_t{0};
-    std::uint32_t any_must = 0;
-    std::uint32_t all_must = ~std::uint32_t{0};
-    for (std::uint32_t i = 0; i < 16; ++i) {
+    std::uint64_t any_may = 0;
+    std::uint64_t all_may = ~std::uint64_t{0};
+    std::uint64_t any_must = 0;
+    std::uint64_t all_must = ~std::uint64_t{0};
+    for (std::uint32_t i = 0; i < 16; i += 2) {
         const std::uint32_t row = first_row + (i & 3U) + ((i >> 2) << levels);
-        any_may |= may(row);
-        all_may &= may(row);
-        any_must |= must(row);
-        all_must &= must(row);
+        const std::uint64_t black = two_rows(inside + row);
+        const std::uint64_t boundary = met == nullptr ? 0 : two_rows(met + row);
+        any_may |= black | boundary;
+        all_may &= black | boundary;
+        any_must |= black & ~boundary;
+        all_must &= black & ~boundary;
     }
-    return any_of_four(any_may) | all_of_four(all_must) << 1 |
-           (all_of_four(all_may) & ~any_of_four(any_must)) << 2;
+    return any_of_four(both_or(any_may)) | all_of_four(both_and(all_must)) << 1 |
+           (all_of_four(both_and(all_may)) & ~any_of_four(both_or(any_must))) << 2;
 }
 
 // Sets the children of the open octant that are leaves; the other ones.

@@ -21,12 +21,6 @@ struct GridLeaves {
     void set(TreeBuilder& builder) const;
 
   private:
-    std::uint32_t may(std::uint32_t row) const {
-        return met == nullptr ? inside[row] : inside[row] | met[row];
-    }
-    std::uint32_t must(std::uint32_t row) const {
-        return met == nullptr ? inside[row] : inside[row] & ~met[row];
-    }
     void sum_up() const;
     std::uint32_t states_of_parts(std::uint32_t first_row) const;
     std::uint8_t set_uniform(unsigned octant, int height, TreeBuilder& builder) const;

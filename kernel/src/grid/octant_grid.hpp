@@ -13,7 +13,14 @@
 namespace osem {
 
 constexpr int clipped(std::int32_t index, int first, int last) {
-    return index < first ? first : index > last ? last : static_cast<int>(index);
+    const int not_above = index < last ? static_cast<int>(index) : last;
+    return not_above > first ? not_above : first;
+}
+
+/// A bit for each number from first to last in a word. Precondition: first <= last; of both the lowest five
+/// bits count.
+constexpr std::uint32_t bits_between(unsigned first, unsigned last) {
+    return (std::uint32_t{2} << (last & 31U)) - (std::uint32_t{1} << (first & 31U));
 }
 
 /// A range of indices along one axis, empty when last < first.
@@ -22,10 +29,13 @@ struct IndexRange {
     int last;
 
     constexpr bool empty() const { return last < first; }
+    constexpr std::uint32_t count() const { return static_cast<std::uint32_t>(last + 1 - first); }
     /// A bit for each index. Precondition: not empty, and within a word.
-    constexpr std::uint32_t bits() const {
-        return (std::uint32_t{2} << (last & 31)) - (std::uint32_t{1} << (first & 31));
+    [[gnu::always_inline]] constexpr std::uint32_t bits() const {
+        return bits_between(static_cast<unsigned>(first), static_cast<unsigned>(last));
     }
+    /// The same, and none for an empty range.
+    [[gnu::always_inline]] constexpr std::uint32_t bits_or_none() const { return empty() ? 0 : bits(); }
 };
 
 /// Where a grid lies, and its reference points: an octant's minimum corner moved by `offset` along each axis,
@@ -62,12 +72,6 @@ struct OctantGrid {
     }
 };
 
-/// Whether three ranges have one octant in common.
-constexpr bool is_one(const IndexRange (&range)[3]) {
-    return range[0].first == range[0].last && range[1].first == range[1].last &&
-           range[2].first == range[2].last;
-}
-
 constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
     return {a.first > b.first ? a.first : b.first, a.last < b.last ? a.last : b.last};
 }
@@ -79,11 +83,11 @@ inline std::uint64_t as_mask(const std::uint32_t* row, unsigned x, int levels) {
     const std::uint32_t of_row = (1U << side) - 1;
     std::uint64_t set = 0;
     for (unsigned k = 0; k < side; ++k, row += std::size_t{1} << levels) {
-        std::uint32_t layer = 0;
-        for (unsigned j = 0; j < side; ++j) layer |= (row[j] >> x & of_row) << (4 * j);
-        set |= std::uint64_t{layer} << (16 * k);
+        std::uint32_t layer = (row[0] >> x & of_row) | (row[1] >> x & of_row) << 4;
+        if (side == 4) layer |= (row[2] >> x & of_row) << 8 | (row[3] >> x & of_row) << 12;
+        set = set >> 16 | std::uint64_t{layer} << 48;
     }
-    return set;
+    return side == 4 ? set : set >> 32;
 }
 
 /// The lowest member of a set that is not empty.

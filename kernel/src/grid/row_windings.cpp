@@ -12,7 +12,7 @@ void RowWindings::widen(std::uint32_t row, std::uint32_t outgrown) {
     added[row] ^= outgrown;
 }
 
-void RowWindings::add_many(std::uint32_t row, std::uint32_t set, std::int32_t number) {
+void RowWindings::add(std::uint32_t row, std::uint32_t set, std::int32_t number) {
     std::uint32_t left = static_cast<std::uint32_t>(number < 0 ? -std::int64_t{number} : number);
     if (rule_ == WindingRule::odd) left &= 1U;
     for (unsigned from = 0; left != 0; ++from, left >>= 1) {
@@ -23,75 +23,70 @@ void RowWindings::add_many(std::uint32_t row, std::uint32_t set, std::int32_t nu
     }
 }
 
-void RowWindings::finish(std::int32_t winding) {
-    if (level_ && winding == 0) return;
-    sum_firsts(winding);
-    if (raise_rows()) return;
-    for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) {
-        const auto number = static_cast<std::int32_t>(first_[row]);
-        if (number != 0) add(row, 0, number);
-    }
-}
-
 // The rows' first numbers from their differences.
-void RowWindings::sum_firsts(std::int32_t winding) {
-    const std::uint32_t side_mask = (std::uint32_t{1} << levels_) - 1;
-    auto first = static_cast<std::uint32_t>(winding);
-    std::uint32_t number = first;
-    for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) {
-        number += first_[row];
-        if ((row & side_mask) == 0) {
-            first += first_[row];
-            number = first;
-        }
-        first_[row] = number;
+void RowWindings::finish(std::int32_t winding) {
+    const auto number = static_cast<std::uint32_t>(winding);
+    if (level_) {
+        for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) first_[row] = number;
+        return;
+    }
+    const std::uint32_t side = std::uint32_t{1} << levels_;
+    std::uint32_t of_layer = number;
+    for (std::uint32_t* layer = first_; layer != first_ + rows_; layer += side) {
+        of_layer += layer[0];
+        layer[0] = of_layer;
+        for (std::uint32_t row = 1; row < side; ++row) layer[row] += layer[row - 1];
     }
 }
 
-// Raises all rows by their first numbers at once, if there are two planes and they are enough: -2 to 1 has
-// its lowest bit and its sign, which each stand for a whole word.
-bool RowWindings::raise_rows() {
-    if (planes_ != 2) return false;
+const std::uint32_t* RowWindings::inside() {
+    std::uint32_t* const result = plane(0);
     const std::uint32_t rows = rows_;
-    const std::uint32_t* const first = first_;
-    std::uint32_t* const low = plane(0);
-    std::uint32_t* const sign = plane(1);
-    std::uint32_t outgrown = 0;
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        const std::uint32_t number_sign = 0 - (first[row] >> 31);
-        const std::uint32_t carry = low[row] & (0 - (first[row] & 1U));
-        const std::uint32_t sum = sign[row] ^ number_sign ^ carry;
-        outgrown |= ((first[row] + 2) >> 2) | (~(sign[row] ^ number_sign) & (sign[row] ^ sum));
+    if (rule_ == WindingRule::odd) {
+        for (std::uint32_t row = 0; row < rows; ++row) result[row] ^= 0 - (first_[row] & 1U);
+    } else if (rule_ == WindingRule::nonzero && planes_ == 2) {
+        set_where_not_zero(result, plane(1));
+    } else {
+        for (std::uint32_t row = 0; row < rows; ++row) result[row] = inside_of(row);
     }
-    if (outgrown != 0) return false;
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        const std::uint32_t number_low = 0 - (first[row] & 1U);
-        sign[row] ^= (0 - (first[row] >> 31)) ^ (low[row] & number_low);
-        low[row] ^= number_low;
-    }
-    return true;
+    return result;
 }
 
-void RowWindings::inside(std::uint32_t* rows) const {
-    const std::uint32_t* const lowest = plane(0);
-    const std::uint32_t* const signs = plane(planes_ - 1);
-    const std::uint32_t count = rows_;
-    const unsigned planes = planes_;
-    for (std::uint32_t row = 0; row < count; ++row) rows[row] = lowest[row];
-    if (rule_ == WindingRule::odd) return;
-    for (unsigned b = 1; b < planes; ++b) {
-        const std::uint32_t* const bits = plane(b);
-        for (std::uint32_t row = 0; row < count; ++row) rows[row] |= bits[row];
+// As inside_of, for the two planes that there are as a rule.
+void RowWindings::set_where_not_zero(std::uint32_t* low, const std::uint32_t* sign) const {
+    const std::uint32_t* const first = first_;
+    for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) {
+        const std::uint32_t number = 0 - first[row];
+        const std::uint32_t beyond = (number + 2) >> 2; // 0 for -2 to 1
+        const std::uint32_t differing = (low[row] ^ (0 - (number & 1U))) | (sign[row] ^ (0 - (number >> 31)));
+        low[row] = beyond != 0 ? ~std::uint32_t{0} : differing;
     }
-    if (rule_ == WindingRule::nonzero) return;
-    for (std::uint32_t row = 0; row < count; ++row) rows[row] &= ~signs[row];
+}
+
+// What is added to the row's first number differs from the number that would make it 0, or is greater. That
+// is found from the lowest bit up, each bit deciding before all below it; by the sign, greater is what is not
+// below 0.
+std::uint32_t RowWindings::inside_of(std::uint32_t row) const {
+    const auto number = static_cast<std::int32_t>(0 - first_[row]);
+    const std::uint32_t any = rule_ == WindingRule::nonzero ? ~std::uint32_t{0} : 0;
+    const unsigned sign_plane = planes_ - 1;
+    const std::int32_t sign = number < 0 ? -1 : 0;
+    if (number >> sign_plane != sign) return any | static_cast<std::uint32_t>(sign); // beyond the planes
+    std::uint32_t inside = 0;
+    for (unsigned b = 0; b < planes_; ++b) {
+        const std::uint32_t bit = 0 - (static_cast<std::uint32_t>(number) >> b & 1U);
+        const std::uint32_t differing = plane(b)[row] ^ bit;
+        const std::uint32_t greater = any | (b == sign_plane ? bit : plane(b)[row]);
+        inside = (inside & ~differing) | (differing & greater);
+    }
+    return inside;
 }
 
 std::int32_t RowWindings::at(std::uint32_t row, unsigned i) const {
     const std::uint32_t sign = rule_ == WindingRule::odd ? 0 : plane(planes_ - 1)[row] >> i & 1U;
     std::uint32_t number = std::uint32_t{0} - sign;
     for (unsigned b = planes_; b-- > 0;) number = number << 1 | (plane(b)[row] >> i & 1U);
-    return static_cast<std::int32_t>(number);
+    return static_cast<std::int32_t>(first_[row] + number);
 }
 
 } // namespace osem

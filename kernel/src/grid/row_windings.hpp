@@ -5,18 +5,19 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "grid/stair.hpp"
 #include "osem/convert.hpp"
 
 namespace osem {
 
-/// The numbers are in two's complement, bit b of a row's in one word, a plane of such words for each b: so a
-/// row's are added to at once. There are as many planes as the numbers have needed: two as a rule, for -2 to
-/// 1; by the odd rule one, as only the lowest bit counts. They lie in the caller's memory, bit b of row r in
-/// word (b + 1) * rows + r.
+/// Of a row's first point there is the number, in the first `rows` words; until all is known as a difference:
+/// of row (0, k) from row (0, k - 1), and of row (j, k) from row (j - 1, k). Of each point there is what its
+/// number differs by from the first one of its row: so a row is added to without knowing that.
 ///
-/// The first `rows` words are for the rows' first points, as differences: of row (0, k) from row (0, k - 1),
-/// and of row (j, k) from row (j - 1, k). What is crossed along a row is added to it as if that number were
-/// 0, until all is known and every row is raised by it.
+/// These differences are in two's complement, bit b of a row's in one word, a plane of such words for each b:
+/// so a row's are added to at once. There are as many planes as they have needed: two as a rule, for -2 to 1;
+/// by the odd rule one, as only the lowest bit counts. They lie in the caller's memory, bit b of row r in
+/// word (b + 1) * rows + r.
 class RowWindings {
   public:
     /// All numbers are 0.
@@ -39,38 +40,49 @@ class RowWindings {
         level_ = false;
     }
 
-    /// Adds a number to those of a row from octant `first` on.
-    void add(std::uint32_t row, int first, std::int32_t number) {
-        const std::uint32_t set = ~std::uint32_t{0} << first;
-        if (number != 1 && number != -1) return add_many(row, set, number);
-        if (planes_ != 2) return add_power(row, set, 0, number > 0);
-        // The same for the two planes that are there as a rule, without a loop.
-        std::uint32_t* const low = plane(0) + row;
-        std::uint32_t* const sign = low + rows_;
+    /// Adds a number to those of rows [row, end) behind where a stair ends, which goes from row to row; to
+    /// none where it ends before the first point or behind all.
+    [[gnu::always_inline]] void add_behind(std::uint32_t row, std::uint32_t end, PlaneStair& last,
+                                           std::int32_t number) {
+        // Mostly it is 1 or -1 and there are two planes: then without a loop over them.
+        bool is_plain = planes_ == 2 && (number == 1 || number == -1);
         const std::uint32_t down = number > 0 ? 0 : ~std::uint32_t{0};
-        const std::uint32_t carry = set & (*low ^ down);
-        const std::uint32_t outgrown = carry & ~(*sign ^ down);
-        *low ^= set;
-        *sign ^= carry;
-        if (outgrown != 0) widen(row, outgrown);
+        std::uint32_t* const low = plane(0);
+        std::uint32_t* const sign = plane(1);
+        for (; row != end; ++row, last.next()) {
+            if (!last.is_within()) continue;
+            const std::uint32_t set = ~std::uint32_t{0} << (last.floor() + 1);
+            if (!is_plain) {
+                add(row, set, number);
+                continue;
+            }
+            const std::uint32_t carry = set & (low[row] ^ down);
+            const std::uint32_t outgrown = carry & ~(sign[row] ^ down);
+            low[row] ^= set;
+            sign[row] ^= carry;
+            if (outgrown != 0) {
+                widen(row, outgrown);
+                is_plain = false;
+            }
+        }
     }
 
     /// All is added; the number of the grid's first point is this.
     void finish(std::int32_t winding);
 
-    /// Then: writes which points are inside, a word a row; to the memory's first words, if need be.
-    void inside(std::uint32_t* rows) const;
-
-    /// And a point's number; by the odd rule any number that is odd when it is.
+    /// Then: a point's number; by the odd rule any number that is odd when it is.
     std::int32_t at(std::uint32_t row, unsigned i) const;
+
+    /// And at last, as this takes the place of the numbers: which points are inside, a word a row.
+    const std::uint32_t* inside();
 
   private:
     std::uint32_t* plane(unsigned b) const { return first_ + std::size_t{b + 1} * rows_; }
     void add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up);
-    void add_many(std::uint32_t row, std::uint32_t set, std::int32_t number);
+    void add(std::uint32_t row, std::uint32_t set, std::int32_t number);
     void widen(std::uint32_t row, std::uint32_t outgrown);
-    void sum_firsts(std::int32_t winding);
-    bool raise_rows();
+    void set_where_not_zero(std::uint32_t* low, const std::uint32_t* sign) const;
+    std::uint32_t inside_of(std::uint32_t row) const;
 
     std::uint32_t* first_;
     std::uint32_t room_;

@@ -12,6 +12,16 @@ namespace osem {
 constexpr int u_of[3] = {1, 0, 0};
 constexpr int v_of[3] = {2, 2, 1};
 
+/// One of two numbers. What is as often true as not is no branch to be guessed where wrong guesses cost much,
+/// as in parts of 64 bits.
+constexpr std::int32_t chosen(bool first, std::int32_t a, std::int32_t b) {
+#if defined(__LP64__)
+    return b ^ ((a ^ b) & -std::int32_t{first});
+#else
+    return first ? a : b;
+#endif
+}
+
 /// An edge as seen in the plane of two axes, from its low end along v to its high one.
 struct SeenEdge {
     std::int32_t u;
@@ -22,12 +32,10 @@ struct SeenEdge {
 
     SeenEdge(const Point& a, const Point& b, int u_axis, int v_axis) {
         rises = a.at[v_axis] < b.at[v_axis];
-        const Point& low = rises ? a : b;
-        const Point& high = rises ? b : a;
-        u = low.at[u_axis];
-        v = low.at[v_axis];
-        end_u = high.at[u_axis];
-        end_v = high.at[v_axis];
+        u = chosen(rises, a.at[u_axis], b.at[u_axis]);
+        v = chosen(rises, a.at[v_axis], b.at[v_axis]);
+        end_u = chosen(rises, b.at[u_axis], a.at[u_axis]);
+        end_v = chosen(rises, b.at[v_axis], a.at[v_axis]);
     }
 
     std::int32_t run() const { return end_u - u; }

@@ -91,15 +91,25 @@ bool TreeBuilder::equals_group(const Level& level, std::uint8_t grey, const Node
     return true;
 }
 
-NodeIndex TreeBuilder::write_group(const Node* nodes, std::uint32_t count) {
+Node* TreeBuilder::extend(std::uint32_t count, NodeIndex& first) {
     needed_ = counted(needed_, count);
-    NodeIndex first = counted_only;
-    if (writing_ && pool_->append(nodes, count, first) != Status::ok) {
+    first = counted_only;
+    if (!writing_) return nullptr;
+    Node* const group = pool_->extend(count, first);
+    if (group == nullptr) {
         pool_->roll_back(mark_);
         writing_ = false;
         exhausted_ = true;
     }
-    return first;
+    return group;
+}
+
+void TreeBuilder::write_group(const Level& level, std::uint8_t grey, NodeIndex& first) {
+    Node* group = extend(count_bits(grey), first);
+    if (group == nullptr) return;
+    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+        *group++ = level.pending[lowest(left)];
+    }
 }
 
 void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t to_open) {
@@ -121,12 +131,14 @@ void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must)
     OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8 && (must & ~may) == 0);
     const std::uint8_t uniform = uniform_children(may, must);
     const auto grey = static_cast<std::uint8_t>(~uniform);
-    Node group[8];
-    std::uint32_t count = 0;
-    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
-        group[count++] = node_of_eight(may, must, lowest(left));
+    NodeIndex first = 0;
+    const std::uint32_t count = count_bits(grey);
+    Node* group = count == 0 ? nullptr : extend(count, first);
+    if (group != nullptr) {
+        for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+            *group++ = node_of_eight(may, must, lowest(left));
+        }
     }
-    const NodeIndex first = count == 0 ? 0 : write_group(group, count);
     set_child(child,
               Node::of(lowest_of_bytes(may) & uniform, (lowest_of_bytes(must) & uniform) | grey, first));
 }
@@ -141,11 +153,7 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
         } else if (equals_group(level, grey, or_like)) {
             first = or_like->first();
         } else {
-            std::uint32_t count = 0;
-            for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
-                level.pending[count++] = level.pending[lowest(left)];
-            }
-            first = write_group(level.pending, count);
+            write_group(level, grey, first);
         }
     }
     const Node node = Node::of(level.may, level.must, first);

@@ -1,0 +1,43 @@
+// How far a face reaches along each axis.
+#ifndef OSEM_GRID_EXTENT_HPP
+#define OSEM_GRID_EXTENT_HPP
+
+#include <cstdint>
+
+#include "osem/solid.hpp"
+
+namespace osem {
+
+/// The least and the greatest coordinates of the corners [corner, end), of which there is one at least.
+struct Extent {
+    Point low;
+    Point high;
+
+    Extent(const Solid& solid, const std::uint32_t* corner, const std::uint32_t* end)
+        : low(solid.vertices[*corner]), high(low) {
+        for (++corner; corner != end; ++corner) {
+            const Point& p = solid.vertices[*corner];
+            for (int axis = 0; axis < 3; ++axis) {
+                low.at[axis] = low.at[axis] < p.at[axis] ? low.at[axis] : p.at[axis];
+                high.at[axis] = high.at[axis] > p.at[axis] ? high.at[axis] : p.at[axis];
+            }
+        }
+    }
+
+    Extent(const Solid& solid, std::uint32_t face)
+        : Extent(solid, solid.corners + solid.first_corner(solid.first_ring(face)),
+                 solid.corners + solid.first_corner(solid.end_ring(face))) {}
+
+    /// Whether it reaches into the open interval between two coordinates.
+    bool overlaps(int axis, std::int32_t from, std::int32_t to) const {
+        return low.at[axis] < to && high.at[axis] > from;
+    }
+    /// Whether a coordinate that is moved up by an infinitesimal lies between its ends.
+    bool has(int axis, std::int32_t coordinate) const {
+        return low.at[axis] <= coordinate && high.at[axis] > coordinate;
+    }
+};
+
+} // namespace osem
+
+#endif

@@ -1,0 +1,207 @@
+// Where a line or a plane crosses the rows of a grid, one row after the other: quotients whose dividend goes
+// up or down by the same number from row to row, like the steps of a stair.
+//
+// Only their integer part is asked for, at points whose distances are multiples of the octants' side. So
+// dividends may be divided by the side first, rounded down: the quotients, rounded down as well, stay the
+// same. Divisors and changes are then differences of vertices, or components of a normal, whatever the side
+// is.
+//
+// There are two ways to them. Parts that divide in one instruction divide once for the first row and once for
+// the change, and go on by additions, without a branch. Others walk from a guess to the first quotient and
+// from each to the next, which in all is as far as the grid is long.
+#ifndef OSEM_GRID_STAIR_HPP
+#define OSEM_GRID_STAIR_HPP
+
+#include <cstdint>
+
+#include "grid/octant_grid.hpp"
+
+namespace osem {
+
+/// floor(n / d), floor((n + by) / d), ... clipped to [-1, most], by divisions. Who makes one sees to it that
+/// n + k * by fits for all rows asked for. Precondition: d > 0, most >= 0.
+template <class Value>
+class DividedStair {
+  public:
+    /// A number divided by d; of a stair, how much it rises or falls from row to row.
+    struct Slope {
+        Value d;
+        Value value;
+        Value rest; ///< in [0, d)
+
+        Slope(Value divisor, Value n) : d(divisor), value(n / divisor), rest(n % divisor) { borrow(); }
+        void add(const Slope& other) {
+            rest += other.rest - d;
+            value += other.value + 1;
+            borrow();
+        }
+        void borrow() {
+            const Value below = rest >> (8 * sizeof(Value) - 1); // -1 if it is below 0
+            value += below;
+            rest += d & below;
+        }
+    };
+
+    /// The guess is for those that walk.
+    DividedStair(const Slope& slope, Value n, int most, int /*guess*/)
+        : slope_(slope), now_(slope.d, n), most_(most) {}
+
+    int floor() const {
+        const Value not_above = now_.value < most_ ? now_.value : most_;
+        return static_cast<int>(not_above > -1 ? not_above : -1);
+    }
+    /// Whether the quotient is in [0, most).
+    bool is_within() const { return now_.value >= 0 && now_.value < most_; }
+    void next() { now_.add(slope_); }
+
+    /// The quotient, and what it is when another number is added to the dividend; neither is clipped.
+    Value value() const { return now_.value; }
+    Value value_with(const Slope& added) const {
+        return now_.value + added.value + (now_.rest >= now_.d - added.rest ? 1 : 0);
+    }
+
+  private:
+    Slope slope_;
+    Slope now_;
+    int most_;
+};
+
+/// The same without a division. Precondition: the guess is in [-1, most]; it only says where to begin.
+template <class Value>
+class WalkedStair {
+  public:
+    struct Slope {
+        Value d;
+        Value by;
+        Slope(Value divisor, Value change) : d(divisor), by(change) {}
+    };
+
+    WalkedStair(const Slope& slope, Value n, int most, int guess)
+        : slope_(slope), value_(guess), rest_(n - guess * slope.d), most_(most) {
+        fall();
+        rise();
+    }
+
+    int floor() const { return value_; }
+    bool is_within() const { return value_ >= 0 && value_ < most_; }
+    void next() {
+        rest_ += slope_.by;
+        slope_.by < 0 ? fall() : rise();
+    }
+
+  private:
+    [[gnu::always_inline]] void rise() {
+        for (; rest_ >= slope_.d && value_ < most_; ++value_) rest_ -= slope_.d;
+    }
+    [[gnu::always_inline]] void fall() {
+        for (; rest_ < 0 && value_ >= 0; --value_) rest_ += slope_.d;
+    }
+
+    Slope slope_;
+    int value_;
+    Value rest_; ///< what the value leaves of the dividend
+    int most_;
+};
+
+/// Two stairs with the same slope: of n, and of n + width.
+template <class Value>
+class DividedBand {
+    using Stair = DividedStair<Value>;
+
+  public:
+    struct Slope {
+        typename Stair::Slope slope;
+        typename Stair::Slope width;
+        Slope(Value d, Value by, Value between) : slope(d, by), width(d, between) {}
+    };
+
+    DividedBand(const Slope& slope, Value n, int most, int guess)
+        : stair_(slope.slope, n, most, guess), width_(slope.width) {}
+
+    int floor() const { return stair_.floor(); }
+    void next() { stair_.next(); }
+
+    /// A bit for each index of the range that is between the two quotients or one of them. Precondition: the
+    /// range is in [0, 31] and not empty.
+    std::uint32_t bits(const IndexRange& range) const {
+        const Value lower = stair_.value();
+        const Value upper = stair_.value_with(width_);
+        const Value first = lower > range.first ? lower : range.first;
+        const Value last = upper < range.last ? upper : range.last;
+        const std::uint32_t bits = bits_between(static_cast<unsigned>(first), static_cast<unsigned>(last));
+        return first > last ? 0 : bits;
+    }
+
+  private:
+    Stair stair_;
+    typename Stair::Slope width_;
+};
+
+template <class Value>
+class WalkedBand {
+    using Stair = WalkedStair<Value>;
+
+  public:
+    struct Slope {
+        typename Stair::Slope slope;
+        Value width;
+        Slope(Value d, Value by, Value between) : slope(d, by), width(between) {}
+    };
+
+    WalkedBand(const Slope& slope, Value n, int most, int guess)
+        : lower_(slope.slope, n, most, guess), upper_(slope.slope, n + slope.width, most, lower_.floor()) {}
+
+    int floor() const { return lower_.floor(); }
+    void next() {
+        lower_.next();
+        upper_.next();
+    }
+    std::uint32_t bits(const IndexRange& range) const {
+        return common(range, {lower_.floor(), upper_.floor()}).bits_or_none();
+    }
+
+  private:
+    Stair lower_;
+    Stair upper_;
+};
+
+// Parts of 64 bits divide in an instruction and guess at branches; others call a function to divide numbers
+// of 64 bits, and lose little by a branch.
+#if defined(__LP64__)
+using EdgeStair = DividedStair<std::int32_t>;
+using PlaneStair = DividedStair<std::int64_t>;
+using PlaneBand = DividedBand<std::int64_t>;
+#else
+using EdgeStair = WalkedStair<std::int32_t>;
+using PlaneStair = WalkedStair<std::int64_t>;
+using PlaneBand = WalkedBand<std::int64_t>;
+#endif
+
+/// Stairs or bands side by side: from row to row along u the dividend changes by one number, which is that of
+/// the slope, from one such row of rows to the next by another.
+template <class Stair>
+class OverPlane {
+  public:
+    OverPlane(const typename Stair::Slope& along_u, std::int64_t n, std::int64_t by_u, std::int64_t by_v,
+              int most, int guess)
+        : along_u_(along_u), n_(n), by_u_(by_u), by_v_(by_v), most_(most), guess_(guess) {}
+
+    /// The one along u that begins at (u, v).
+    Stair at(int u, int v) {
+        const Stair stair(along_u_, n_ + u * by_u_ + v * by_v_, most_, guess_);
+        guess_ = stair.floor();
+        return stair;
+    }
+
+  private:
+    typename Stair::Slope along_u_;
+    std::int64_t n_; ///< the dividend at (0, 0)
+    std::int64_t by_u_;
+    std::int64_t by_v_;
+    int most_;
+    int guess_;
+};
+
+} // namespace osem
+
+#endif
