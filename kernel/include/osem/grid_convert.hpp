@@ -28,14 +28,14 @@ constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < 
 /// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes four words
 /// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and
 /// one more a row each time that what winding numbers in a row differ by from its first one outgrows a power
-/// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for 32
-/// x 32 rows, and about 3.5 a face, are mostly enough. Preconditions: depth is in [1, 20], last_levels in [1,
-/// 5].
+/// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for
+/// 32 x 32 rows, and about 3.5 a face, are mostly enough.
+/// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
     const auto grids = static_cast<std::uint64_t>(nested_grids(upper_levels(depth, last)));
-    std::uint64_t words_a_row =
-        4; // octants met; rows' first winding numbers; and what others differ by, -2 to 1
+    // Octants met; rows' first winding numbers; and what others differ by from them, -2 to 1.
+    std::uint64_t words_a_row = 4;
     for (std::uint32_t most = solid.corner_count; most > 1; most >>= 1) ++words_a_row;
     const std::uint64_t rows = std::uint64_t{1} << (2 * last);
     const std::uint64_t upper_rows = grids == 0 ? 0 : 16 * words_a_row;
