@@ -67,6 +67,22 @@ TEST_F(Fit, AnyThreadsGiveTheSameFile) {
     EXPECT_EQ(convert({"--threads", "9"}).code, 1);
 }
 
+TEST_F(Fit, ARodHasMoreNodesThanItsAreaLetsExpect) {
+    // A lattice unit thick, from side to side of the root: one octant of each level for each of its lengths.
+    make_box("rod", {349525, 349525, 0}, {349526, 349526, 1048576},
+             {"--depth", "15", "--technique", "divide"}, "0,0,0,1048576");
+    EXPECT_EQ(info("rod")["nodes"], "32767");
+    EXPECT_EQ(info("rod")["boundary"], "32768");
+    const std::string divided = read_file(path("rod.osem"));
+    const std::vector<std::string> ways[] = {
+        {"--threads", "1"}, {"--threads", "2"}, {"--threads", "8"}, {"--technique", "bintree"}};
+    for (const std::vector<std::string>& way : ways) {
+        make_box("other", {349525, 349525, 0}, {349526, 349526, 1048576}, {"--depth", "15", way[0], way[1]},
+                 "0,0,0,1048576");
+        EXPECT_EQ(read_file(path("other.osem")), divided) << way[1];
+    }
+}
+
 TEST_F(Fit, LabellingAlternatesAcrossNestedBoxes) {
     // A box, a box-shaped cavity in it and a box in that: three shells, each an eighth from the next.
     const std::vector<std::string> shells = {box_off({0.125, 0.125, 0.125}, {0.875, 0.875, 0.875}),

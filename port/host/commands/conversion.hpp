@@ -18,7 +18,7 @@ namespace osem::host {
 struct Converted {
     std::unique_ptr<HostPool> pool;
     Octree tree;
-    double seconds;        ///< of the pass that wrote the tree; on several threads of both
+    double seconds;        ///< of the pass that made the tree; on several threads of all
     StageCounts stages;    ///< all 0 by grids
     std::uint64_t visited; ///< grids, octants or blocks
     std::uint64_t memory;  ///< bytes of job, scratch and pool
@@ -31,6 +31,10 @@ void require_converted(Status status);
 
 /// Words of scratch for grids of any faces of a solid. Throws BadInput when they are more than a job takes.
 std::size_t grid_words(const Solid& solid, int depth);
+
+/// A pool with room for so many nodes, or as many as a pool can hold; with none if there is not so much
+/// memory. Only the room that is used takes memory.
+std::unique_ptr<HostPool> roomy_pool(std::uint64_t nodes);
 
 /// Grids of octants.
 Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <thread>
 
+#include "commands/estimate.hpp"
 #include "commands/stopwatch.hpp"
 #include "osem/grid_convert.hpp"
 
@@ -16,19 +17,25 @@ namespace osem::host {
 namespace {
 
 struct Part {
-    std::unique_ptr<HostPool> pool;
+    std::shared_ptr<HostPool> pool; ///< it shares it with others
+    NodeIndex first = 0;            ///< of its nodes in there
     Octree tree = {};
     std::uint64_t grids = 0;
     std::uint32_t nodes = 0;
     std::uint32_t scratch_used = 0;
 };
 
-// The children of the root, and the threads that take one after the other. The thread that makes it is one of
-// them, and shows how far all are.
+// The children of the root, and the threads that take one after the other, those first that are likely to
+// take longest. The thread that makes it is one of them, and shows how far all are.
 class Crew {
   public:
     Crew(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress)
-        : solid_(solid), options_(options), progress_(progress) {}
+        : solid_(solid), options_(options), progress_(progress) {
+        const std::array<Estimate, 8> estimates = estimate_children(solid.view(), options.depth);
+        std::sort(order_.begin(), order_.end(),
+                  [&](unsigned a, unsigned b) { return estimates[a].effort() > estimates[b].effort(); });
+        for (const Estimate& part : estimates) nodes_ += part.nodes();
+    }
 
     std::array<Part, 8>& work(unsigned threads) {
         std::vector<std::thread> others;
@@ -48,8 +55,10 @@ class Crew {
         try {
             const auto job = std::make_unique<GridConversion>();
             std::vector<std::uint32_t> scratch(grid_words(solid_.view(), options_.depth - 1));
-            for (unsigned child = next_++; child < parts_.size(); child = next_++) {
-                convert(*job, scratch, child, progress);
+            const std::shared_ptr<HostPool> pool = roomy_pool(nodes_);
+            for (unsigned next = next_++; next < parts_.size(); next = next_++) {
+                convert(*job, scratch, order_[next], pool, progress);
+                done_ += volume_at(1) >> 20;
             }
         } catch (...) {
             const std::lock_guard<std::mutex> lock(failing_);
@@ -58,56 +67,69 @@ class Crew {
         }
     }
 
-    // Twice: the first pass only counts the nodes.
+    // Where there is no room in the pool, again in one that has it.
     void convert(GridConversion& job, std::vector<std::uint32_t>& scratch, unsigned child,
-                 Progress* progress) {
+                 std::shared_ptr<HostPool> pool, Progress* progress) {
+        TreeOutcome outcome = {};
+        for (;;) {
+            parts_[child].first = static_cast<NodeIndex>(pool->pool().used());
+            outcome = run(job, scratch, child, pool->pool(), progress);
+            if (outcome.status != Status::pool_exhausted) break;
+            pool = std::make_shared<HostPool>(outcome.nodes_needed);
+        }
+        require_converted(outcome.status);
         Part& part = parts_[child];
-        part.nodes = run(job, scratch, child, nullptr, progress).nodes_needed;
-        part.pool = std::make_unique<HostPool>(part.nodes);
-        part.tree = run(job, scratch, child, &part.pool->pool(), progress).tree;
+        part.pool = std::move(pool);
+        part.tree = outcome.tree;
         part.grids = job.grids_visited();
+        part.nodes = outcome.nodes_needed;
         part.scratch_used = job.scratch_used();
     }
 
-    TreeOutcome run(GridConversion& job, std::vector<std::uint32_t>& scratch, unsigned child, NodePool* pool,
+    TreeOutcome run(GridConversion& job, std::vector<std::uint32_t>& scratch, unsigned child, NodePool& pool,
                     Progress* progress) {
         require_converted(job.begin(solid_, options_, scratch.data(),
-                                    static_cast<std::uint32_t>(scratch.size()), pool,
+                                    static_cast<std::uint32_t>(scratch.size()), &pool,
                                     GridOptions{most_grid_levels, root_octant.child(child)}));
         while (job.step(1)) {
-            if (progress != nullptr) progress->show(done_ + (job.decided_volume() >> 20), passes_volume);
+            if (progress != nullptr) {
+                progress->show(done_ + (job.decided_volume() >> 20), root_volume >> 20);
+            }
         }
-        done_ += volume_at(1) >> 20;
-        const TreeOutcome outcome = job.finish();
-        require_converted(outcome.status);
-        return outcome;
+        return job.finish();
     }
-
-    static constexpr std::uint64_t passes_volume = 2 * (root_volume >> 20);
 
     const CheckedSolid& solid_;
     ConvertOptions options_;
     Progress& progress_;
+    std::uint64_t nodes_ = 0; ///< that all parts are likely to have
+    std::array<unsigned, 8> order_{0, 1, 2, 3, 4, 5, 6, 7};
     std::array<Part, 8> parts_;
     std::atomic<unsigned> next_{0};
-    std::atomic<std::uint64_t> done_{0}; ///< volume of the passes over parts that are over
+    std::atomic<std::uint64_t> done_{0}; ///< volume of the parts that are done
     std::mutex failing_;
     std::exception_ptr failure_;
 };
 
-// Builds the root over its children, whose pools are the first part of this one, one behind the other.
+// Builds the root over its children, whose nodes are the first part of this pool, one behind the other.
 class Joint {
   public:
     explicit Joint(NodePool& pool) : pool_(pool) { builder_.begin(&pool); }
 
-    void add(unsigned child, const Octree& tree) {
-        const NodeIndex by = static_cast<NodeIndex>(pool_.used());
-        const NodePool& from = *tree.pool;
-        for (std::uint32_t node = 0; node < from.used(); ++node) append(from.at(node), by);
-        if (tree.top.is_uniform()) {
-            builder_.leaf(child, tree.top.colour(0));
+    void add(unsigned child, const Part& part) {
+        const auto by = static_cast<NodeIndex>(pool_.used() - part.first);
+        for (std::uint32_t node = 0; node < part.nodes;) {
+            std::uint32_t count = 0;
+            for (; count < together_.size() && node < part.nodes; ++count, ++node) {
+                together_[count] = moved(part.tree.pool->at(static_cast<NodeIndex>(part.first + node)), by);
+            }
+            NodeIndex first = 0;
+            static_cast<void>(pool_.append(together_.data(), count, first)); // there is room for all
+        }
+        if (part.tree.top.is_uniform()) {
+            builder_.leaf(child, part.tree.top.colour(0));
         } else {
-            builder_.graft(child, moved(tree.top, by));
+            builder_.graft(child, moved(part.tree.top, by));
         }
     }
 
@@ -121,14 +143,10 @@ class Joint {
         return Node::of(node.may, node.must,
                         node.grey() == 0 ? node.first() : static_cast<NodeIndex>(node.first() + by));
     }
-    void append(const Node& node, NodeIndex by) {
-        const Node copy = moved(node, by);
-        NodeIndex first = 0;
-        static_cast<void>(pool_.append(&copy, 1, first)); // there is room for all
-    }
 
     NodePool& pool_;
     TreeBuilder builder_;
+    std::array<Node, 256> together_{};
 };
 
 } // namespace
@@ -149,7 +167,7 @@ Converted convert_octants_apart(const CheckedSolid& solid, const ConvertOptions&
     auto pool = std::make_unique<HostPool>(nodes);
     const auto joint = std::make_unique<Joint>(pool->pool());
     for (unsigned child = 0; child < 8; ++child) {
-        joint->add(child, parts[child].tree);
+        joint->add(child, parts[child]);
         parts[child].pool.reset();
     }
     const TreeOutcome outcome = joint->finish(options.depth);
