@@ -7,7 +7,7 @@ The text stands in the file exactly once. A bug that changes nothing a caller ca
 SUITES = {
     "geometry": "Frame*:Classify*:Convert.*",
     "classify": "Classify*:Labelling*:Convert.*",
-    "solid": "Check*:EdgeSort*:Hostile*",
+    "solid": "Check*:Edge*:Hostile*",
     "tree": "TreeBuilder*:Compact*:NodePool*:StaticNodePool*:ReadOnlyPool*:Octree*:Boolean.*",
     "query": "*Query*:Nearest*:FaceNeighbour*:SegmentWalk*:Ray*:Collision*",
     "measure": "Measure*:Components*",
@@ -65,6 +65,11 @@ MUTATIONS = [
     ("solid/edge_sort.cpp", "for (; at > 0 && order(edges[at - 1], edge) > 0; --at)",
      "for (; at > 1 && order(edges[at - 1], edge) > 0; --at)", "the first place never taken"),
     ("solid/edge_sort.cpp", "child + 1 < count && order(", "child + 2 < count && order(", "the heap's last child forgotten"),
+    ("solid/edge_table.hpp", "there = left;", "there = empty;", "an edge behind one that has left is not found"),
+    ("solid/edge_table.hpp", "there.from == edge.to && there.to == edge.from", "there.from == edge.to",
+     "an edge cancels the one before it"),
+    ("solid/edge_table.hpp", "if (free == nullptr) return false;", "if (free == nullptr) return true;",
+     "an edge without a place is lost"),
     # tree
     ("tree/tree_builder.cpp", "any |= any >> 1;", "", "leaves that differ in one bit of a child are one"),
     ("tree/tree_builder.cpp", "        pool_->roll_back(mark_);\n        writing_ = false;\n        exhausted_",

@@ -20,7 +20,7 @@ METHODS["intersection"] = METHODS["difference"] = METHODS["union"]
 FLOOR = {"convert": "scan-runs", "threads": "threads-1", "union": "runs", "intersection": "runs", "difference": "runs"}
 TITLES = {
     "convert": "Conversion",
-    "threads": "Conversion on several threads, both passes, by the clock",
+    "threads": "Conversion on several threads, by the clock",
     "union": "Union",
     "intersection": "Intersection",
     "difference": "Difference",
@@ -29,8 +29,9 @@ TITLES = {
 
 EXPLANATION = """Milliseconds of one thread's processor time, the least of the repetitions; in brackets how many times those of the
 floor, which is the exact scanline (runs), or one thread where there are several. Osem's conversions write into a pool of the
-right size, which a counting pass has found that is not timed; several threads are timed by the clock, both passes. What others
-make is freed while the clock stands. Booleans leave out what makes the operands.
+right size, which a counting pass has found that is not timed; several threads are timed by the clock, with all that the
+tool does but reading and writing files. What others make is freed while the clock stands. Booleans leave out what makes the
+operands.
 
 - `osem-centre`, `osem-three`: octrees by grids, centre leaves or three-valued ones; `plain-*`: octant by octant. `osem-pool`,
   `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB).

@@ -1,4 +1,4 @@
-// Conversion as the tool does it, on several threads: both passes, and joining the parts.
+// Conversion as the tool does it, on several threads: with an estimate of its size, and joining the parts.
 #include <chrono>
 #include <iostream>
 

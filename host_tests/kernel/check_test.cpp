@@ -114,16 +114,18 @@ TEST(Check, NamesTheFirstCornerOffItsFacesPlane) {
     }
 }
 
-// How often an edge runs one way, less how often the other way.
+// How often an edge of these places runs one way, less how often the other way.
 int surplus(const Wedge& wedge, const Edge& edge) {
     int surplus = 0;
     for (std::uint32_t corner = 0; corner < wedge.corners.size(); ++corner) {
         const std::uint32_t ring = wedge.ring_of(corner);
         const std::uint32_t next =
             corner + 1 < wedge.ring_starts[ring + 1] ? corner + 1 : wedge.ring_starts[ring];
-        const std::uint32_t from = wedge.corners[corner];
-        const std::uint32_t to = wedge.corners[next];
-        surplus += from == edge.from && to == edge.to ? 1 : from == edge.to && to == edge.from ? -1 : 0;
+        const Point from = wedge.vertices[wedge.corners[corner]];
+        const Point to = wedge.vertices[wedge.corners[next]];
+        surplus += from == wedge.vertices[edge.from] && to == wedge.vertices[edge.to]   ? 1
+                   : from == wedge.vertices[edge.to] && to == wedge.vertices[edge.from] ? -1
+                                                                                        : 0;
     }
     return surplus;
 }
@@ -178,19 +180,32 @@ TEST(Check, ScratchTooSmallIsRefusedAndNotWritten) {
     EXPECT_EQ(check(bent.view(), scratch.data(), 0).status, Status::face_not_planar);
 }
 
+// Each corner gets a vertex of its own.
+void unweld(Wedge& wedge) {
+    std::vector<Point> vertices;
+    for (std::uint32_t& corner : wedge.corners) {
+        vertices.push_back(wedge.vertices[corner]);
+        corner = static_cast<std::uint32_t>(vertices.size() - 1);
+    }
+    wedge.vertices = vertices;
+}
+
 // A face once more, either way round: each of its edges is used twice one way and once the other.
 TEST(Check, NamesAnEdgeTheWayThatIsUsedTooOften) {
     for (std::uint32_t face = 0; face < 5; ++face) {
         for (const bool turned : {false, true}) {
-            Wedge wedge;
-            std::vector<std::uint32_t> ring(wedge.first_of(face), wedge.first_of(face + 1));
-            if (turned) std::reverse(ring.begin(), ring.end());
-            wedge.corners.insert(wedge.corners.end(), ring.begin(), ring.end());
-            wedge.ring_starts.push_back(static_cast<std::uint32_t>(wedge.corners.size()));
-            wedge.face_rings.push_back(6);
-            const CheckOutcome outcome = wedge.checked();
-            ASSERT_EQ(outcome.status, Status::surface_not_closed);
-            ASSERT_EQ(surplus(wedge, outcome.edge), 1);
+            for (const bool welded : {false, true}) {
+                Wedge wedge;
+                std::vector<std::uint32_t> ring(wedge.first_of(face), wedge.first_of(face + 1));
+                if (turned) std::reverse(ring.begin(), ring.end());
+                wedge.corners.insert(wedge.corners.end(), ring.begin(), ring.end());
+                wedge.ring_starts.push_back(static_cast<std::uint32_t>(wedge.corners.size()));
+                wedge.face_rings.push_back(6);
+                if (!welded) unweld(wedge);
+                const CheckOutcome outcome = wedge.checked();
+                ASSERT_EQ(outcome.status, Status::surface_not_closed);
+                ASSERT_EQ(surplus(wedge, outcome.edge), 1);
+            }
         }
     }
 }

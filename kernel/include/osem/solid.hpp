@@ -95,7 +95,8 @@ struct CheckOutcome {
 /// Nested shells, touching parts, edges shared by four faces, self-intersection and zero-area faces are all
 /// accepted; a zero-area face stands for the points of its ring.
 ///
-/// Scratch: check_scratch(solid) edges; overwritten. Cost: O(c log c) for c corners, no recursion.
+/// Scratch: check_scratch(solid) edges; overwritten. Cost: O(c log c) for c corners at worst; O(c) as a rule
+/// where vertices are welded (a hash table, in the scratch). No recursion.
 /// The arrays must have the lengths that Solid states; what they hold is not trusted.
 /// Status, in the order looked for: ring_table_invalid; ring_too_short and index_out_of_range, face by face;
 /// coordinate_off_lattice, face_not_planar, scratch_too_small, surface_not_closed; ok otherwise. A table that

@@ -2,6 +2,7 @@
 
 #include "geometry/plane.hpp"
 #include "solid/edge_sort.hpp"
+#include "solid/edge_table.hpp"
 
 namespace osem {
 
@@ -93,18 +94,32 @@ CheckOutcome check_planarity(const Solid& solid) {
     return refusal(Status::ok);
 }
 
-std::uint32_t collect_edges(const Solid& solid, Edge* edges) {
-    std::uint32_t count = 0;
+// Tells all edges until it is not taken; whether all were.
+template <class Take>
+bool each_edge(const Solid& solid, Take take) {
     for (std::uint32_t face = 0; face < solid.face_count; ++face) {
         for (std::uint32_t r = solid.first_ring(face); r < solid.end_ring(face); ++r) {
             const Ring ring = solid.ring(r);
             std::uint32_t from = ring.corners[ring.count - 1];
             for (std::uint32_t i = 0; i < ring.count; ++i) {
-                edges[count++] = Edge{from, ring.corners[i]};
+                if (!take(Edge{from, ring.corners[i]})) return false;
                 from = ring.corners[i];
             }
         }
     }
+    return true;
+}
+
+// Writes edges but for pairs that run against each other, or mere edges where there is no room to wait for
+// those; how many.
+std::uint32_t collect_edges(const Solid& solid, Edge* edges) {
+    EdgeTable table(edges, check_scratch(solid));
+    if (each_edge(solid, [&table](const Edge& edge) { return table.take(edge); })) return table.gather();
+    std::uint32_t count = 0;
+    each_edge(solid, [edges, &count](const Edge& edge) {
+        edges[count++] = edge;
+        return true;
+    });
     return count;
 }
 
@@ -130,7 +145,7 @@ std::uint32_t cancel_edges(Edge* edges, std::uint32_t count, const EdgeOrder& or
     return left;
 }
 
-// First by vertex index, which is quick and leaves nothing of a welded closed surface; what is left by place.
+// First by vertex index, which leaves nothing of a welded closed surface; what is left by place.
 CheckOutcome check_cycle(const Solid& solid, Edge* edges) {
     std::uint32_t count = collect_edges(solid, edges);
     count = cancel_edges(edges, count, EdgeOrder(nullptr));

@@ -21,26 +21,24 @@ std::uint32_t size_of(const Words& words) { return static_cast<std::uint32_t>(wo
 const TreeOutcome& built(const TreeOutcome& outcome) { return outcome; }
 const TreeOutcome& built(const LabellingOutcome& outcome) { return outcome.built; }
 
-// What came of the pass that made a tree.
-template <class Outcome>
-struct Build {
-    std::unique_ptr<HostPool> pool;
-    Outcome outcome;
-    double seconds;
-};
-
 // Runs a pass in a pool that is mostly large enough. If it is not, the pass has counted the nodes all the
 // same, and another one has exactly the memory it needs.
 template <class Run>
-auto build(const CheckedSolid& solid, int depth, Run run) {
-    const auto timed = [&run](std::unique_ptr<HostPool> pool) {
+auto build(Converted& made, const CheckedSolid& solid, int depth, Run run) {
+    const auto timed = [&made, &run](std::unique_ptr<HostPool> pool) {
+        made.pool = std::move(pool);
         const Stopwatch watch;
-        auto outcome = run(pool->pool());
-        return Build<decltype(outcome)>{std::move(pool), outcome, watch.seconds()};
+        auto outcome = run(made.pool->pool());
+        made.seconds = watch.seconds();
+        return outcome;
     };
-    auto first = timed(roomy_pool(estimate(solid.view(), depth).nodes()));
-    if (built(first.outcome).status != Status::pool_exhausted) return first;
-    return timed(std::make_unique<HostPool>(built(first.outcome).nodes_needed));
+    auto outcome = timed(roomy_pool(estimate(solid.view(), depth).nodes()));
+    if (built(outcome).status == Status::pool_exhausted) {
+        outcome = timed(std::make_unique<HostPool>(built(outcome).nodes_needed));
+    }
+    require_converted(built(outcome).status);
+    made.tree = built(outcome).tree;
+    return outcome;
 }
 
 std::uint64_t bytes(std::size_t job, std::uint64_t words, std::uint64_t nodes) {
@@ -55,15 +53,16 @@ LabellingOutcome run_pass(Labelling& job, const CheckedSolid& solid, const Conve
     return job.finish();
 }
 
-// A conversion that takes one array of scratch.
+// A conversion that takes one array of scratch. Returns the nodes.
 template <class Job>
-auto build_by(Job& job, const CheckedSolid& solid, const ConvertOptions& options, Words& scratch,
-              Progress& progress) {
-    return build(solid, options.depth, [&](NodePool& pool) {
+std::uint32_t build_by(Job& job, Converted& made, const CheckedSolid& solid, const ConvertOptions& options,
+                       Words& scratch, Progress& progress) {
+    const TreeOutcome outcome = build(made, solid, options.depth, [&](NodePool& pool) {
         require_converted(job.begin(solid, options, scratch.data(), size_of(scratch), &pool));
         drive(job, progress, 0, 1);
         return job.finish();
     });
+    return outcome.nodes_needed;
 }
 
 } // namespace
@@ -89,29 +88,23 @@ std::unique_ptr<HostPool> roomy_pool(std::uint64_t nodes) {
 Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress) {
     const auto job = std::make_unique<GridConversion>();
     Words scratch(grid_words(solid.view(), options.depth));
-    auto made = build_by(*job, solid, options, scratch, progress);
-    require_converted(made.outcome.status);
-    return {std::move(made.pool),
-            made.outcome.tree,
-            made.seconds,
-            StageCounts{},
-            job->grids_visited(),
-            bytes(sizeof(GridConversion), job->scratch_used(), made.outcome.nodes_needed),
-            {{"scratch_words", job->scratch_used()}}};
+    Converted made = {};
+    const std::uint32_t nodes = build_by(*job, made, solid, options, scratch, progress);
+    made.visited = job->grids_visited();
+    made.memory = bytes(sizeof(GridConversion), job->scratch_used(), nodes);
+    made.counts = {{"scratch_words", job->scratch_used()}};
+    return made;
 }
 
 Converted divide(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress) {
     const auto job = std::make_unique<Conversion>();
     Words faces(convert_scratch(solid.view()));
-    auto made = build_by(*job, solid, options, faces, progress);
-    require_converted(made.outcome.status);
-    return {std::move(made.pool),
-            made.outcome.tree,
-            made.seconds,
-            job->stages(),
-            job->octants_visited(),
-            bytes(sizeof(Conversion), faces.size(), made.outcome.nodes_needed),
-            {}};
+    Converted made = {};
+    const std::uint32_t nodes = build_by(*job, made, solid, options, faces, progress);
+    made.stages = job->stages();
+    made.visited = job->octants_visited();
+    made.memory = bytes(sizeof(Conversion), faces.size(), nodes);
+    return made;
 }
 
 Converted divide_to_fit(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t nodes,
@@ -147,20 +140,17 @@ Converted label(const CheckedSolid& solid, const ConvertOptions& options, Progre
     Words faces(convert_scratch(solid.view()));
     Words blocks;
     blocks.resize(run_pass(*job, solid, options, faces, blocks, nullptr, progress).blocks_needed);
-    auto made = build(solid, options.depth, [&](NodePool& pool) {
+    Converted made = {};
+    const LabellingOutcome outcome = build(made, solid, options.depth, [&](NodePool& pool) {
         return run_pass(*job, solid, options, faces, blocks, &pool, progress);
     });
-    const LabellingOutcome& outcome = made.outcome;
-    require_converted(outcome.built.status);
-    return {std::move(made.pool),
-            outcome.built.tree,
-            made.seconds,
-            job->stages(),
-            job->blocks_visited(),
-            bytes(sizeof(Labelling), faces.size() + blocks.size(), outcome.built.nodes_needed),
-            {{"pairs", job->pairs_visited()},
-             {"components", outcome.components},
-             {"block_words", outcome.blocks_needed}}};
+    made.stages = job->stages();
+    made.visited = job->blocks_visited();
+    made.memory = bytes(sizeof(Labelling), faces.size() + blocks.size(), outcome.built.nodes_needed);
+    made.counts = {{"pairs", job->pairs_visited()},
+                   {"components", outcome.components},
+                   {"block_words", outcome.blocks_needed}};
+    return made;
 }
 
 } // namespace osem::host
