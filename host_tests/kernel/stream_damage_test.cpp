@@ -27,6 +27,11 @@ StreamOutcome expect_refused(const Bytes& bytes, const std::string& what, std::s
     const StreamOutcome counted = read_stream(reader, bytes, nullptr);
     EXPECT_EQ(counted.built.status, outcome.built.status) << what << ": without a pool";
     EXPECT_EQ(counted.offset, outcome.offset) << what;
+    for (const std::size_t other : {1U, 2U, 5U}) {
+        const StreamOutcome apart = read_stream(reader, bytes, nullptr, other);
+        EXPECT_EQ(apart.built.status, outcome.built.status) << what << ": in chunks of " << other;
+        EXPECT_EQ(apart.offset, outcome.offset) << what << ": in chunks of " << other;
+    }
     return outcome;
 }
 

@@ -104,8 +104,10 @@ class StreamReader {
   private:
     void take(std::uint8_t byte);
     void take_header_byte(std::uint8_t byte);
-    void take_codes(std::uint8_t byte);
+    void take_payload(const std::uint8_t* bytes, std::size_t count);
+    unsigned take_codes(std::uint32_t codes, unsigned ready);
     void take_code(Colour code);
+    void close_to(int level);
     void take_trailer_byte(std::uint8_t byte);
     void fail(Status status);
 

@@ -50,6 +50,7 @@ class StreamBuilder {
 
   private:
     friend class StreamCombination;
+    friend Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 
     void begin_copy();
     void copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes, bool inverted);

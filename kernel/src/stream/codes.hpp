@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "osem/node_pool.hpp"
 #include "tree/zeros.hpp"
 
 namespace osem {
@@ -81,6 +82,26 @@ constexpr bool eight_alike(Codes codes) { return ((codes ^ (codes & 3U) * 0x5555
 constexpr std::uint32_t complemented(std::uint32_t codes) {
     return ~((codes & 0x55555555U) << 1 | (codes >> 1 & 0x55555555U));
 }
+
+/// The bits of a mask, each two places from the one before.
+constexpr std::uint32_t spread(std::uint32_t mask) {
+    mask = (mask | mask << 4) & 0x0f0fU;
+    mask = (mask | mask << 2) & 0x3333U;
+    return (mask | mask << 1) & 0x5555U;
+}
+
+/// Every second one of 16 bits, from the lowest on.
+constexpr std::uint8_t gathered(std::uint32_t bits) {
+    bits &= 0x5555U;
+    bits = (bits | bits >> 1) & 0x3333U;
+    bits = (bits | bits >> 2) & 0x0f0fU;
+    return static_cast<std::uint8_t>(bits | bits >> 4);
+}
+
+/// The codes of a node's children, and the masks of eight codes.
+constexpr std::uint32_t codes_of_node(const Node& node) { return spread(node.may) | spread(node.must) << 1; }
+constexpr std::uint8_t may_of(std::uint32_t codes) { return gathered(codes); }
+constexpr std::uint8_t must_of(std::uint32_t codes) { return gathered(codes >> 1); }
 
 } // namespace osem
 

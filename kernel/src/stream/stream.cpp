@@ -2,6 +2,7 @@
 
 #include "osem/stream_builder.hpp"
 #include "stream/code_walk.hpp"
+#include "stream/codes.hpp"
 #include "stream/crc.hpp"
 #include "stream/header.hpp"
 
@@ -10,16 +11,19 @@ namespace osem {
 Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink) {
     header.depth = tree.depth;
     header.nodes = 0;
-    if (!tree.top.is_uniform()) {
-        for (NodeWalk walk(tree); !walk.done(); walk.next()) ++header.nodes;
-    }
+    const auto count = [&header](std::uint32_t codes, unsigned) {
+        if (grey_codes(codes) != 0) ++header.nodes; // the last of them
+        return true;
+    };
+    each_run_of_codes(tree, count);
     StreamBuilder builder;
     builder.begin(header, sink);
-    CodeWalk walk(tree);
-    do {
-        if (!builder.taken()) return Status::sink_refused;
-        walk.colour() == Colour::grey ? builder.open() : builder.leaf(walk.colour());
-    } while (walk.next());
+    const auto put = [&builder](std::uint32_t codes, unsigned some) {
+        builder.put(codes, some);
+        return builder.taken();
+    };
+    if (!builder.taken() || !each_run_of_codes(tree, put)) return Status::sink_refused;
+    builder.whole_ = true; // the tree is canonical, so its codes are as they should be
     return builder.finish();
 }
 
@@ -35,9 +39,18 @@ void StreamReader::begin(NodePool* pool) {
 }
 
 Status StreamReader::feed(const std::uint8_t* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count && status_ == Status::ok; ++i) {
-        take(bytes[i]);
-        if (status_ == Status::ok) ++position_;
+    while (count > 0 && status_ == Status::ok) {
+        std::size_t taken = 1;
+        if (has_header_ && !path_.whole()) {
+            const std::uint64_t left = stream_size(header_.nodes) - stream_trailer_size - position_;
+            taken = left < count ? static_cast<std::size_t>(left) : count;
+            take_payload(bytes, taken);
+        } else {
+            take(*bytes);
+            if (status_ == Status::ok) ++position_;
+        }
+        bytes += taken;
+        count -= taken;
     }
     return status_;
 }
@@ -57,9 +70,6 @@ void StreamReader::fail(Status status) {
 void StreamReader::take(std::uint8_t byte) {
     if (position_ < stream_header_size) {
         take_header_byte(byte);
-    } else if (!path_.whole()) {
-        crc_ = crc_append(crc_, byte);
-        take_codes(byte);
     } else if (trailer_left_ != 0) {
         take_trailer_byte(byte);
     } else {
@@ -82,12 +92,56 @@ void StreamReader::take_header_byte(std::uint8_t byte) {
     path_.begin(header_.depth, header_.nodes);
 }
 
-void StreamReader::take_codes(std::uint8_t byte) {
-    unsigned codes = byte;
-    for (unsigned left = 4; left > 0 && !path_.whole() && status_ == Status::ok; --left, codes >>= 2) {
-        take_code(static_cast<Colour>(codes & 3U));
+// Bytes of the payload, to the last code that is whole in them.
+void StreamReader::take_payload(const std::uint8_t* bytes, std::size_t count) {
+    crc_ = crc_append(crc_, bytes, count);
+    std::size_t taken = 0;
+    std::uint32_t codes = 0;
+    unsigned ready = 0;
+    while (status_ == Status::ok && !path_.whole() && (ready != 0 || taken < count)) {
+        for (; ready <= 12 && taken < count; ready += 4)
+            codes |= std::uint32_t{bytes[taken++]} << (2 * ready);
+        const unsigned used = take_codes(codes, ready);
+        codes >>= 2 * used;
+        ready -= used;
     }
-    if (status_ == Status::ok && codes != 0) fail(Status::stream_payload_damaged);
+    position_ += taken;
+    if (status_ != Status::ok) { // in the byte of the last code that was used
+        position_ -= ready / 4 + 1;
+    } else if (path_.whole() && codes != 0) {
+        --position_;
+        fail(Status::stream_payload_damaged);
+    }
+}
+
+// Takes the next octant, of some codes that are ready; with its eight children, if they are ready as well and
+// leaves of more than one colour. Returns how many it took, the last one being that of a fault.
+unsigned StreamReader::take_codes(std::uint32_t codes, unsigned ready) {
+    const auto below = static_cast<std::uint16_t>(codes >> 2);
+    const bool is_node = static_cast<Colour>(codes & 3U) == Colour::grey && ready > 8 &&
+                         eight_leaves(grey_codes(below)) && !is_one_leaf(below);
+    if (!is_node) {
+        take_code(static_cast<Colour>(codes & 3U));
+        return 1;
+    }
+    const int level = path_.level();
+    const unsigned child = path_.child();
+    Status status = path_.take(Colour::grey);
+    if (status != Status::ok) {
+        fail(status);
+        return 1;
+    }
+    status = path_.take_leaves();
+    if (status != Status::ok) {
+        fail(status);
+    } else if (level == 0) {
+        builder_.leaves(may_of(below), must_of(below));
+        builder_.close();
+    } else {
+        builder_.eight_leaves(child, may_of(below), must_of(below));
+        close_to(level);
+    }
+    return 9;
 }
 
 void StreamReader::take_code(Colour code) {
@@ -105,7 +159,12 @@ void StreamReader::take_code(Colour code) {
         return builder_.close();
     }
     builder_.leaf(child, code);
-    for (int closed = level; closed > path_.level(); --closed) builder_.close();
+    close_to(level);
+}
+
+// Closes what the path has left since it was at a level.
+void StreamReader::close_to(int level) {
+    for (; level > path_.level(); --level) builder_.close();
 }
 
 void StreamReader::take_trailer_byte(std::uint8_t byte) {
