@@ -192,6 +192,11 @@ MUTATIONS = [
     ("stream/header.cpp", "header.leaf_rule > 1 || ", "", "a leaf rule that there is not"),
     ("stream/stream_builder.cpp", "if (has_leaf_ && colour != colour_) {", "if (has_leaf_) {",
      "equal leaves are not folded"),
+    ("stream/stream_builder.cpp", "if (sink_.replace == nullptr) encode_header(header, bytes);",
+     "encode_header(header, bytes);", "a header before the stream is whole"),
+    ("stream/stream_builder.cpp", "header_.nodes = static_cast<std::uint32_t>(nodes_);", "", "a header that counts no nodes"),
+    ("stream/stream_boolean.cpp", "!in_one_pass() && !is_unchanged()", "!is_unchanged()",
+     "checksums of a pass that there was not"),
     ("stream/stream_boolean.cpp", "same_a && !same_b ? 1 : 0", "0", "which source has changed"),
     ("stream/stream_boolean.cpp", "!unary_ && b_.header().depth > header.depth", "false", "the deeper operand's depth"),
     # grid

@@ -33,8 +33,7 @@ Edge edges[Sphere::corner_count];
 std::uint32_t faces[Sphere::triangle_count];
 std::uint32_t blocks[block_size];
 std::uint32_t grid_words[8000];
-std::uint8_t stream[30000];
-std::size_t stream_length = 0;
+StreamCombination stream_combination;
 Point cells[query_count];
 
 template <class Job>
@@ -50,11 +49,30 @@ bool count(const char* name, Job job) {
     return right_result;
 }
 
-bool to_memory(void*, const std::uint8_t* bytes, std::size_t length) {
-    if (length > sizeof stream - stream_length) return false;
-    for (std::size_t i = 0; i < length; ++i) stream[stream_length++] = bytes[i];
-    return true;
-}
+// A stream in memory, whose first bytes can be replaced.
+struct StreamMemory {
+    std::uint8_t bytes[30000];
+    std::size_t length;
+
+    Sink sink() { return Sink{write, this, replace}; }
+    Source source() const { return memory_source(bytes, length); }
+
+  private:
+    static bool write(void* context, const std::uint8_t* from, std::size_t count) {
+        auto& self = *static_cast<StreamMemory*>(context);
+        if (count > sizeof self.bytes - self.length) return false;
+        for (std::size_t i = 0; i < count; ++i) self.bytes[self.length++] = from[i];
+        return true;
+    }
+    static bool replace(void* context, const std::uint8_t* from, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) static_cast<StreamMemory*>(context)->bytes[i] = from[i];
+        return true;
+    }
+};
+
+StreamMemory stream;
+StreamMemory other_stream;
+StreamMemory united_stream;
 
 // Pseudo-random cells from which a box of queries still lies in the root (a linear congruential generator;
 // constants of Numerical Recipes).
@@ -123,19 +141,24 @@ bool labelled(const Octree& same) {
     return right_tree;
 }
 
-bool stream_jobs(const Octree& tree) {
-    bool good = count("write_stream", [&] {
-        return write_stream(tree, StreamHeader{}, Sink{to_memory, nullptr}) == Status::ok;
-    });
+bool stream_jobs(const Octree& tree, const Octree& other, const Octree& both) {
+    bool good = count("write_stream",
+                      [&] { return write_stream(tree, StreamHeader{}, stream.sink()) == Status::ok; });
     Octree same = Octree::uniform(read_back, Colour::white);
     good &= count("read_stream", [&] {
         reader.begin(&read_back);
-        reader.feed(stream, stream_length);
+        reader.feed(stream.bytes, stream.length);
         const StreamOutcome outcome = reader.finish();
         same = outcome.built.tree;
         return outcome.built.status == Status::ok;
     });
-    return good && same_leaves(tree, same);
+    good &= write_stream(other, StreamHeader{}, other_stream.sink()) == Status::ok;
+    good &= count("stream_union", [&] {
+        return combine(stream_combination, Operator::unite, stream.source(), other_stream.source(),
+                       united_stream.sink())
+                   .status == Status::ok;
+    });
+    return good && same_leaves(tree, same) && same_leaves(united_stream.source(), both).same;
 }
 
 bool all_jobs() {
@@ -158,7 +181,7 @@ bool all_jobs() {
     choose_cells();
     good &= count("point_queries", [&] { return point_queries(a.tree); });
     good &= count("box_queries", [&] { return box_queries(a.tree); });
-    return stream_jobs(a.tree) && good;
+    return stream_jobs(a.tree, b.tree, both.tree) && good;
 }
 
 } // namespace

@@ -37,6 +37,7 @@ JOB_TEXTS = {
     "box_queries": "1,000 box queries",
     "write_stream": "write the tree as a stream",
     "read_stream": "read it back",
+    "stream_union": "union of two such streams, in one pass",
 }
 ONE_BY_ONE = 100  # bytes; functions with less stack share one row
 

@@ -1,5 +1,7 @@
 #include "bench/osem_pair.hpp"
 
+#include <algorithm>
+
 #include "bench/agreement.hpp"
 
 namespace osem::bench {
@@ -12,6 +14,11 @@ bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
     return true;
 }
 
+bool replace(void* context, const std::uint8_t* bytes, std::size_t count) {
+    std::copy_n(bytes, count, static_cast<Bytes*>(context)->begin());
+    return true;
+}
+
 void require_ok(Status status) { require(status == Status::ok, describe(status)); }
 
 } // namespace
@@ -19,7 +26,7 @@ void require_ok(Status status) { require(status == Status::ok, describe(status))
 Bytes stream_of(const Octree& tree) {
     Bytes bytes;
     bytes.reserve(stream_size(measure(tree).nodes));
-    require_ok(write_stream(tree, StreamHeader{}, Sink{append, &bytes}));
+    require_ok(write_stream(tree, StreamHeader{}, Sink{append, &bytes, replace}));
     return bytes;
 }
 
@@ -74,7 +81,7 @@ const Bytes& OsemPair::combine_streams(Operator op) {
     result_.clear();
     const StreamCombinationOutcome outcome =
         combine(*stream_job_, op, memory_source(stream_a_.data(), stream_a_.size()),
-                memory_source(stream_b_.data(), stream_b_.size()), Sink{append, &result_});
+                memory_source(stream_b_.data(), stream_b_.size()), Sink{append, &result_, replace});
     require_ok(outcome.status);
     return result_;
 }

@@ -2,6 +2,7 @@
 // taken before is what an undisturbed run wrote, nothing comes after, and another run writes it all.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <ostream>
 
@@ -24,6 +25,7 @@ struct Gate {
     std::vector<Bytes> taken;
     std::size_t room = SIZE_MAX; ///< writes that are taken
     bool refused = false;
+    bool replaced = false; ///< the first bytes of all, by the last write
 
     bool take(Bytes write) {
         EXPECT_FALSE(refused) << "a write after a refusal";
@@ -33,7 +35,11 @@ struct Gate {
     }
     Bytes all() const {
         Bytes bytes;
-        for (const Bytes& write : taken) bytes.insert(bytes.end(), write.begin(), write.end());
+        for (const Bytes& write : taken) {
+            const bool first = replaced && &write == &taken.back();
+            if (!first) bytes.insert(bytes.end(), write.begin(), write.end());
+        }
+        if (replaced) std::copy(taken.back().begin(), taken.back().end(), bytes.begin());
         return bytes;
     }
     static Gate& of(void* context) { return *static_cast<Gate*>(context); }
@@ -42,6 +48,14 @@ struct Gate {
                     return of(context).take(Bytes(bytes, bytes + count));
                 },
                 this};
+    }
+    Sink replacing_sink() {
+        Sink to = sink();
+        to.replace = [](void* context, const std::uint8_t* bytes, std::size_t count) {
+            of(context).replaced = of(context).take(Bytes(bytes, bytes + count));
+            return of(context).replaced;
+        };
+        return to;
     }
     RunSink runs() {
         return {[](void* context, const PixelRun& run) {
@@ -95,43 +109,51 @@ void tell(StreamBuilder& builder, const std::vector<Colour>& colours) {
     }
 }
 
-std::vector<SinkJob> stream_jobs() {
+// In two passes, or in one where the sink can replace.
+std::vector<SinkJob> stream_jobs(bool once) {
     const auto own = std::make_shared<OwnTree>(first_grid());
     const auto a = std::make_shared<const Bytes>(stream_of(first_grid()));
     const auto b = std::make_shared<const Bytes>(stream_of(second_grid()));
     const auto job = std::make_shared<StreamCombination>();
+    const std::string passes = once ? "_in_one_pass" : "";
+    const auto sink_of = [once](Gate& gate) { return once ? gate.replacing_sink() : gate.sink(); };
+    // A refusal of the first write of a single pass is begin's as well.
+    const auto run = [=](Status begun, std::uint32_t budget) {
+        EXPECT_TRUE(begun == Status::ok || (once && begun == Status::sink_refused));
+        drive(*job, {budget});
+        return job->finish().status;
+    };
     std::vector<SinkJob> jobs = {
-        {"write_stream", *a,
-         [=](Gate& gate, std::uint32_t) { return write_stream(own->tree, StreamHeader{}, gate.sink()); }},
-        {"stream_builder", *a,
+        {"write_stream" + passes, *a,
+         [=](Gate& gate, std::uint32_t) { return write_stream(own->tree, StreamHeader{}, sink_of(gate)); }},
+        {"stream_builder" + passes, *a,
          [=](Gate& gate, std::uint32_t) {
              const std::vector<Colour> colours = preorder_colours(preorder_masks(first_grid()));
              StreamBuilder builder;
-             builder.begin();
-             tell(builder, colours);
              StreamHeader header = {};
              header.depth = 4;
-             header.nodes = static_cast<std::uint32_t>(builder.nodes());
-             builder.begin(header, gate.sink());
+             if (!once) {
+                 builder.begin();
+                 tell(builder, colours);
+                 header.nodes = static_cast<std::uint32_t>(builder.nodes());
+             }
+             builder.begin(header, sink_of(gate));
              tell(builder, colours);
              EXPECT_EQ(builder.taken(), !gate.refused);
              return builder.finish();
          }},
-        {"stream_complement", stream_of(complemented(first_grid())), [=](Gate& gate, std::uint32_t budget) {
-             EXPECT_EQ(job->begin_complement(memory_source(a->data(), a->size()), gate.sink()), Status::ok);
-             drive(*job, {budget});
-             return job->finish().status;
+        {"stream_complement" + passes, stream_of(complemented(first_grid())),
+         [=](Gate& gate, std::uint32_t budget) {
+             return run(job->begin_complement(memory_source(a->data(), a->size()), sink_of(gate)), budget);
          }}};
     for (const Operator op :
          {Operator::unite, Operator::intersect, Operator::subtract, Operator::exclusive_or}) {
-        jobs.push_back({"stream_operator_" + std::to_string(static_cast<int>(op)),
+        jobs.push_back({"stream_operator_" + std::to_string(static_cast<int>(op)) + passes,
                         stream_of(combined(op, first_grid(), second_grid())),
                         [=](Gate& gate, std::uint32_t budget) {
-                            EXPECT_EQ(job->begin(op, memory_source(a->data(), a->size()),
-                                                 memory_source(b->data(), b->size()), gate.sink()),
-                                      Status::ok);
-                            drive(*job, {budget});
-                            return job->finish().status;
+                            return run(job->begin(op, memory_source(a->data(), a->size()),
+                                                  memory_source(b->data(), b->size()), sink_of(gate)),
+                                       budget);
                         }});
     }
     return jobs;
@@ -226,8 +248,9 @@ std::vector<SinkJob> surface_jobs() {
 }
 
 std::vector<SinkJob> sink_jobs() {
-    std::vector<SinkJob> jobs = stream_jobs();
-    for (const auto& more : {slice_jobs(), surface_jobs()}) jobs.insert(jobs.end(), more.begin(), more.end());
+    std::vector<SinkJob> jobs = stream_jobs(false);
+    for (const auto& more : {stream_jobs(true), slice_jobs(), surface_jobs()})
+        jobs.insert(jobs.end(), more.begin(), more.end());
     return jobs;
 }
 

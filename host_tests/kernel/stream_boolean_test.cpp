@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <unordered_map>
 
@@ -27,14 +28,30 @@ struct TestSink {
     std::size_t refuse_at = SIZE_MAX; ///< the number of writes that are taken
     bool refused = false;
 
+    bool replaced = false;
+
     Sink sink() { return Sink{write, this}; }
+    Sink replacing_sink() { return Sink{write, this, replace}; }
     static bool write(void* context, const std::uint8_t* bytes, std::size_t count) {
         auto& self = *static_cast<TestSink*>(context);
         EXPECT_FALSE(self.refused) << "a write after a refusal";
+        EXPECT_FALSE(self.replaced) << "a write behind the last one";
         self.refused = self.writes == self.refuse_at;
         if (self.refused) return false;
         ++self.writes;
         self.bytes.insert(self.bytes.end(), bytes, bytes + count);
+        return true;
+    }
+    static bool replace(void* context, const std::uint8_t* bytes, std::size_t count) {
+        auto& self = *static_cast<TestSink*>(context);
+        EXPECT_FALSE(self.refused) << "a write after a refusal";
+        EXPECT_FALSE(self.replaced) << "replaced again";
+        EXPECT_LE(count, self.bytes.size()) << "more than was written";
+        self.refused = self.writes == self.refuse_at;
+        if (self.refused || count > self.bytes.size()) return false;
+        ++self.writes;
+        self.replaced = true;
+        std::copy_n(bytes, count, self.bytes.begin());
         return true;
     }
 };
@@ -153,6 +170,67 @@ TEST(StreamBoolean, EveryStepBudgetGivesTheSame) {
             EXPECT_TRUE(job.step(0));
             ASSERT_EQ(run(job, octants).status, Status::ok);
             EXPECT_EQ(to.bytes, expected.bytes);
+        }
+    }
+}
+
+TEST(StreamBoolean, ASinkThatCanReplaceTakesOnePass) {
+    StreamCombination job;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        const Bytes a = stream_of(grid_of(seed));
+        const Bytes b = stream_of(grid_of(1000 + 7 * seed));
+        for (std::uint32_t op = 0; op < 5; ++op) {
+            TestSource source_a(a);
+            TestSource source_b(b);
+            const auto begun = [&](const Sink& sink) {
+                return op == 4 ? job.begin_complement(source_a.source(), sink)
+                               : job.begin(all_operators[op], source_a.source(), source_b.source(), sink);
+            };
+            TestSink twice;
+            ASSERT_EQ(begun(twice.sink()), Status::ok);
+            const StreamCombinationOutcome expected = run(job, UINT32_MAX);
+            const std::size_t reads = source_a.reads + source_b.reads;
+            TestSink once;
+            source_a.reads = 0;
+            source_b.reads = 0;
+            ASSERT_EQ(begun(once.replacing_sink()), Status::ok);
+            const StreamCombinationOutcome outcome = run(job, 1 + seed % 3);
+            ASSERT_EQ(outcome.status, Status::ok);
+            ASSERT_EQ(once.bytes, twice.bytes) << "seed " << seed << ", operator " << op;
+            EXPECT_EQ(outcome.header.nodes, expected.header.nodes);
+            EXPECT_EQ(outcome.header.depth, expected.header.depth);
+            EXPECT_TRUE(once.replaced);
+            EXPECT_EQ(job.decided_volume(), root_volume);
+            EXPECT_EQ(2 * (source_a.reads + source_b.reads), reads);
+        }
+    }
+}
+
+// What is written before a fault is met begins with 0s, and no reader takes it for a stream.
+TEST(StreamBoolean, InOnePassAFaultLeavesNoStream) {
+    const Bytes good = stream_of(random_grid(4, 5, three_colours));
+    StreamCombination job;
+    for (std::size_t at = 0; at < good.size(); ++at) {
+        Bytes bad = good;
+        bad[at] = static_cast<std::uint8_t>(bad[at] ^ (1U << (at % 8)));
+        for (const Operator op : all_operators) {
+            for (const unsigned operand : {0U, 1U}) {
+                const auto combined_to = [&](const Sink& sink) {
+                    return operand == 0 ? combine(job, op, source_of(bad), source_of(good), sink)
+                                        : combine(job, op, source_of(good), source_of(bad), sink);
+                };
+                TestSink twice;
+                const StreamCombinationOutcome expected = combined_to(twice.sink());
+                TestSink once;
+                const StreamCombinationOutcome outcome = combined_to(once.replacing_sink());
+                EXPECT_NE(outcome.status, Status::ok);
+                EXPECT_EQ(outcome.status, expected.status) << at;
+                EXPECT_EQ(outcome.offset, expected.offset) << at;
+                EXPECT_EQ(outcome.operand, expected.operand) << at;
+                EXPECT_FALSE(once.replaced);
+                const Bytes begun(std::min(once.bytes.size(), stream_header_size), 0);
+                EXPECT_TRUE(std::equal(begun.begin(), begun.end(), once.bytes.begin()));
+            }
         }
     }
 }

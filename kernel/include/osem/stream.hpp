@@ -52,9 +52,15 @@ struct StreamHeader {
 };
 
 /// Takes bytes from the writer; false refuses. `context` is the caller's.
+///
+/// Where what was written can be written over (memory, a file), `replace` does that with the first `count`
+/// bytes of all; a null pointer says that it cannot be. With it the header, which holds the node count, comes
+/// last: so what would take a pass to count nodes does without. Until then there are 0s in its place, which
+/// no reader takes for a stream.
 struct Sink {
     bool (*write)(void* context, const std::uint8_t* bytes, std::size_t count);
     void* context;
+    bool (*replace)(void* context, const std::uint8_t* bytes, std::size_t count) = nullptr;
 };
 
 /// Reads bytes at any offset of a stream that can be read again: memory, flash, a file. false when they
@@ -70,7 +76,8 @@ Source memory_source(const std::uint8_t* bytes, std::size_t size);
 
 /// Writes a tree of up to 2^32 - 1 nodes (shared ones counted as often as they are reached); depth and node
 /// count of `header` are filled in from it. Precondition: header.leaf_rule is 0 or 1. Status: ok;
-/// sink_refused, after which nothing more is written. Cost: O(nodes of the tree), O(depth) memory.
+/// sink_refused, after which nothing more is written. Cost: O(nodes of the tree), which are walked over
+/// twice, or once where the sink can replace; O(depth) memory.
 Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 
 /// Outcome of reading a stream. `offset` is that of the byte at which a fault was seen.

@@ -22,12 +22,13 @@ struct StreamCombinationOutcome {
 /// A Boolean from streams to a stream in progress: begin, step until done, finish. The bytes are those that
 /// write_stream gives of Combination's result; colours follow Kleene's three-valued logic as there. The
 /// sources are read twice: the first pass checks them whole and counts the result's nodes, only then is the
-/// sink written to. All state is in the object.
+/// sink written to. Where the sink can replace, they are read once, in half of the time: what has been
+/// written when a fault is met begins without a header then, and is no stream. All state is in the object.
 class StreamCombination {
   public:
     /// Starts `a op b`. The result has the greater depth, frame and leaf rule of `a`; whether `b` has the
     /// same frame and rule is the caller's to compare. Status: ok; a fault of an operand's header or first
-    /// octant, as StreamCursor::begin.
+    /// octant, as StreamCursor::begin; sink_refused, where the sink can replace.
     Status begin(Operator op, const Source& a, const Source& b, const Sink& sink);
 
     /// Starts the complement of `a` in the root octant.
@@ -35,13 +36,13 @@ class StreamCombination {
 
     /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; below a grey octant
     /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
-    /// most twice the octants of both operands. An octant costs O(1) and at times a read or a write of at
-    /// most 64 bytes.
+    /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read or a write
+    /// of at most 64 bytes.
     bool step(std::uint32_t octants);
 
-    /// Exact progress over both passes: half of the root's volume (2^60 cells) is decided by each.
-    /// Cost: O(depth).
-    std::uint64_t decided_volume() const { return decided_cells() / 2; }
+    /// Exact progress: each of two passes decides half of the root's volume (2^60 cells), a single one all of
+    /// it. Cost: O(depth).
+    std::uint64_t decided_volume() const { return decided_cells() / (in_one_pass() ? 1 : 2); }
 
     /// Status: ok; unfinished; the faults of StreamCursor, the operand named; sink_refused, after which
     /// nothing more was written; source_failed with offset 0 when the second pass read another payload from
@@ -56,7 +57,9 @@ class StreamCombination {
 
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
+    void begin_writing();
     void end_pass();
+    bool in_one_pass() const { return sink_.replace != nullptr; }
     bool is_unchanged();
     std::uint64_t decided_cells() const;
     void visit();

@@ -15,14 +15,15 @@ namespace osem {
 
 /// The octants are told in preorder; an octant is closed when it has eight children. Eight leaves of one
 /// colour become one leaf: while all that an open octant holds are leaves of one colour, it is kept back as
-/// one counter a level, so the bytes go out in one pass. The header holds the node count, so there are two
-/// passes of the same calls: the first one counts, the second one writes.
+/// one counter a level, so the bytes go out in one pass. The header holds the node count: so there are two
+/// passes of the same calls, the first of which counts and the second writes; or one, where the sink can
+/// replace the header.
 class StreamBuilder {
   public:
     /// Starts a counting pass.
     void begin();
-    /// Starts writing to `sink`; header.nodes is the count of a counting pass. Precondition: header.leaf_rule
-    /// is 0 or 1.
+    /// Starts writing to `sink`; header.nodes is the count of a counting pass, unless the sink can replace:
+    /// then it means nothing. Precondition: header.leaf_rule is 0 or 1.
     void begin(const StreamHeader& header, const Sink& sink);
 
     /// The next octant is grey; its eight children follow. Precondition: fewer than max_depth octants are
@@ -45,7 +46,8 @@ class StreamBuilder {
     /// Whether the sink has taken everything so far; after a refusal nothing more is written.
     bool taken() const { return taken_; }
 
-    /// Ends the stream. Status: ok; unfinished while the root octant is open; sink_refused.
+    /// Ends the stream. Status: ok; unfinished while the root octant is open; sink_refused;
+    /// stream_count_mismatch when there are more than 2^32 - 1 nodes, which no header holds.
     Status finish();
 
   private:
@@ -62,8 +64,10 @@ class StreamBuilder {
     void put_part(std::uint32_t codes, unsigned count);
     void end_word();
     void write_buffer();
+    void write(const std::uint8_t* bytes, std::size_t count);
 
     Sink sink_ = {};
+    StreamHeader header_ = {};
     std::uint64_t nodes_ = 0;
     std::uint32_t bits_ = 0;
     std::uint32_t crc_ = 0;

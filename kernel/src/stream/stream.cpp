@@ -15,10 +15,11 @@ Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink) {
         if (grey_codes(codes) != 0) ++header.nodes; // the last of them
         return true;
     };
-    each_run_of_codes(tree, count);
+    if (sink.replace == nullptr) each_run_of_codes(tree, count);
     StreamBuilder builder;
     builder.begin(header, sink);
     const auto put = [&builder](std::uint32_t codes, unsigned some) {
+        if (grey_codes(codes) != 0) ++builder.nodes_;
         builder.put(codes, some);
         return builder.taken();
     };
@@ -99,8 +100,9 @@ void StreamReader::take_payload(const std::uint8_t* bytes, std::size_t count) {
     std::uint32_t codes = 0;
     unsigned ready = 0;
     while (status_ == Status::ok && !path_.whole() && (ready != 0 || taken < count)) {
-        for (; ready <= 12 && taken < count; ready += 4)
+        for (; ready <= 12 && taken < count; ready += 4) {
             codes |= std::uint32_t{bytes[taken++]} << (2 * ready);
+        }
         const unsigned used = take_codes(codes, ready);
         codes >>= 2 * used;
         ready -= used;

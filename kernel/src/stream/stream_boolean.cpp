@@ -50,7 +50,7 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
     outcome_ = StreamCombinationOutcome{Status::unfinished, 0, 0, {}};
     phase_ = Phase::counting;
     builder_.begin();
-    begin_pass();
+    if (begin_pass() && in_one_pass()) begin_writing();
     return phase_ == Phase::done ? outcome_.status : Status::ok;
 }
 
@@ -187,26 +187,31 @@ std::uint64_t StreamCombination::decided_cells() const {
                                          : walker.path_.volume_before(inner) + volume_at(inner));
 }
 
-void StreamCombination::end_pass() {
+// The cursors are at the operands' beginning, and the nodes are counted, if they are to be.
+void StreamCombination::begin_writing() {
     StreamHeader& header = outcome_.header;
+    header = a_.header();
+    if (!unary_ && b_.header().depth > header.depth) header.depth = b_.header().depth;
+    header.nodes = static_cast<std::uint32_t>(builder_.nodes());
+    phase_ = Phase::writing;
+    builder_.begin(header, sink_);
+    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
+}
+
+void StreamCombination::end_pass() {
     decided_ += root_volume;
     if (phase_ == Phase::writing) {
-        if (!is_unchanged()) return;
+        if (!in_one_pass() && !is_unchanged()) return;
         phase_ = Phase::done;
+        outcome_.header.nodes = static_cast<std::uint32_t>(builder_.nodes());
         outcome_.status = builder_.finish();
         return;
     }
     // unreachable: by a test in reasonable time, as it takes two streams of gigabytes.
     if (builder_.nodes() > UINT32_MAX) return fail(Status::stream_count_mismatch, 0, 0);
-    header = a_.header();
-    if (!unary_ && b_.header().depth > header.depth) header.depth = b_.header().depth;
-    header.nodes = static_cast<std::uint32_t>(builder_.nodes());
     checksum_a_ = a_.checksum();
     checksum_b_ = b_.checksum();
-    if (!begin_pass()) return;
-    phase_ = Phase::writing;
-    builder_.begin(header, sink_);
-    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
+    if (begin_pass()) begin_writing();
 }
 
 // Whether the second pass has read what the first one read, as far as checksums tell.

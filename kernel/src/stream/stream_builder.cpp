@@ -38,9 +38,10 @@ void StreamBuilder::begin(const StreamHeader& header, const Sink& sink) {
     restart();
     writing_ = true;
     sink_ = sink;
-    std::uint8_t bytes[stream_header_size];
-    encode_header(header, bytes);
-    taken_ = sink_.write(sink_.context, bytes, sizeof bytes);
+    header_ = header;
+    std::uint8_t bytes[stream_header_size] = {};
+    if (sink_.replace == nullptr) encode_header(header, bytes);
+    write(bytes, sizeof bytes);
 }
 
 void StreamBuilder::open() {
@@ -153,8 +154,12 @@ void StreamBuilder::end_word() {
 // In small pieces, so that a sink may be a slow one.
 void StreamBuilder::write_buffer() {
     crc_ = crc_append(crc_, buffer_, filled_);
-    if (taken_) taken_ = sink_.write(sink_.context, buffer_, filled_);
+    write(buffer_, filled_);
     filled_ = 0;
+}
+
+void StreamBuilder::write(const std::uint8_t* bytes, std::size_t count) {
+    if (taken_) taken_ = sink_.write(sink_.context, bytes, count);
 }
 
 Status StreamBuilder::finish() {
@@ -164,9 +169,16 @@ Status StreamBuilder::finish() {
     put_word(buffer_ + filled_, bits_);
     filled_ += used_ / 8 + 1; // 8n + 1 codes: the last byte holds one
     write_buffer();
-    std::uint8_t bytes[stream_trailer_size];
+    std::uint8_t bytes[stream_header_size];
     put_number(bytes, crc_);
-    if (taken_) taken_ = sink_.write(sink_.context, bytes, sizeof bytes);
+    write(bytes, stream_trailer_size);
+    if (taken_ && sink_.replace != nullptr) {
+        // unreachable: by a test in reasonable time, as it takes a stream of gigabytes.
+        if (nodes_ > UINT32_MAX) return Status::stream_count_mismatch;
+        header_.nodes = static_cast<std::uint32_t>(nodes_);
+        encode_header(header_, bytes);
+        taken_ = sink_.replace(sink_.context, bytes, sizeof bytes);
+    }
     return taken_ ? Status::ok : Status::sink_refused;
 }
 

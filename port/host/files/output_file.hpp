@@ -26,6 +26,8 @@ class OutputFile {
     static void probe(const std::string& target);
 
     std::ostream& stream() { return stream_; }
+    /// Whether what is written can be written over: no device and no pipe.
+    bool is_regular() const { return !temporary_.empty(); }
 
     /// Ends writing and puts the file in its place.
     void commit();

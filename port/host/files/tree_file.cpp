@@ -40,6 +40,12 @@ bool write_bytes(void* context, const std::uint8_t* bytes, std::size_t count) {
     return stream.good();
 }
 
+bool replace_bytes(void* context, const std::uint8_t* bytes, std::size_t count) {
+    auto& stream = *static_cast<std::ostream*>(context);
+    stream.seekp(0);
+    return write_bytes(context, bytes, count) && stream.seekp(0, std::ios::end).good();
+}
+
 } // namespace
 
 void TreeFile::damaged(const char* what, std::uint64_t offset) const {
@@ -122,7 +128,9 @@ void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts) {
     static_cast<void>(write_stream(tree, header, sink_of(file))); // commit() reports a refusal
 }
 
-Sink sink_of(OutputFile& file) { return Sink{write_bytes, &file.stream()}; }
+Sink sink_of(OutputFile& file) {
+    return Sink{write_bytes, &file.stream(), file.is_regular() ? replace_bytes : nullptr};
+}
 
 bool is_tree_name(const std::string& path) {
     return equal_ignoring_case(std::filesystem::path(path).extension().string(), ".osem");
