@@ -16,7 +16,7 @@ double area_of(const Solid& solid, std::uint32_t face) {
         const Normal normal = newell_normal(solid, ring);
         for (std::size_t axis = 0; axis < 3; ++axis) doubled[axis] += static_cast<double>(normal[axis]);
     }
-    return std::hypot(doubled[0], doubled[1], doubled[2]) / 2;
+    return std::sqrt(doubled[0] * doubled[0] + doubled[1] * doubled[1] + doubled[2] * doubled[2]) / 2;
 }
 
 // Which child of the root a point lies in; one on its upper side may count in either.

@@ -118,13 +118,14 @@ class Joint {
 
     void add(unsigned child, const Part& part) {
         const auto by = static_cast<NodeIndex>(pool_.used() - part.first);
-        for (std::uint32_t node = 0; node < part.nodes;) {
-            std::uint32_t count = 0;
-            for (; count < together_.size() && node < part.nodes; ++count, ++node) {
-                together_[count] = moved(part.tree.pool->at(static_cast<NodeIndex>(part.first + node)), by);
-            }
+        const Node* from = part.nodes == 0 ? nullptr : &part.tree.pool->at(part.first);
+        for (std::uint32_t left = part.nodes; left != 0;) {
+            const std::uint32_t count = std::min(left, static_cast<std::uint32_t>(together_.size()));
+            for (std::uint32_t i = 0; i < count; ++i) together_[i] = moved(from[i], by);
             NodeIndex first = 0;
             static_cast<void>(pool_.append(together_.data(), count, first)); // there is room for all
+            from += count;
+            left -= count;
         }
         if (part.tree.top.is_uniform()) {
             builder_.leaf(child, part.tree.top.colour(0));
@@ -141,7 +142,7 @@ class Joint {
   private:
     static Node moved(const Node& node, NodeIndex by) {
         return Node::of(node.may, node.must,
-                        node.grey() == 0 ? node.first() : static_cast<NodeIndex>(node.first() + by));
+                        static_cast<NodeIndex>(node.first() + (node.grey() == 0 ? 0 : by)));
     }
 
     NodePool& pool_;
