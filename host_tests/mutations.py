@@ -185,7 +185,7 @@ MUTATIONS = [
     ("stream/stream.cpp", "path_.whole() && codes != 0", "path_.whole() && codes > 3", "bits behind the last code"),
     ("stream/stream.cpp", "position_ -= ready / 4 + 1;", "position_ -= 1;", "a fault named a byte too late"),
     ("stream/stream.cpp", "&& !is_one_leaf(below)", "", "eight equal leaves taken at once"),
-    ("stream/code_walk.hpp", "frame.codes >>= bits;", "frame.codes >>= bits - 2; frame.codes &= ~3U;",
+    ("stream/code_runs.hpp", "frame.codes >>= bits;", "frame.codes >>= bits - 2; frame.codes &= ~3U;",
      "the code behind a grey one"),
     ("stream/stream_cursor.cpp", "(buffer_[at_ / 4] >> 2) != 0", "(buffer_[at_ / 4] >> 4) != 0", "bits behind the last code"),
     ("stream/stream_cursor.cpp", "loaded_ == end ? 0 : codes_ahead", "0", "no codes for a look ahead"),

@@ -113,6 +113,42 @@ TEST(StreamQuery, EqualityIsThatOfTheGrids) {
     }
 }
 
+// Wherever they differ: a leaf, its octant and the ones above it may be divided in one of them only.
+TEST(StreamQuery, AStreamIsComparedWithATreeCellByCell) {
+    const DenseGrid grid = random_grid(3, 11, three_colours);
+    const Bytes bytes = stream_of(grid);
+    HeapPool pool(2000);
+    const std::uint32_t mark = pool->used();
+    EXPECT_TRUE(same_leaves(source_of(bytes), planted(grid, *pool)).same);
+    int different = 0;
+    const auto compare_with = [&](const DenseGrid& other) {
+        const Bytes other_bytes = stream_of(other);
+        const bool same = bytes == other_bytes;
+        pool->roll_back(mark);
+        EXPECT_EQ(same_leaves(source_of(bytes), planted(other, *pool)).same, same);
+        pool->roll_back(mark);
+        EXPECT_EQ(same_leaves(source_of(other_bytes), planted(grid, *pool)).same, same);
+        if (!same) ++different;
+    };
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+        DenseGrid changed = grid;
+        changed[cell] = grid[cell] == Colour::white ? Colour::boundary : Colour::white;
+        compare_with(changed);
+    }
+    for (const Colour colour : three_colours) {
+        compare_with(DenseGrid(3, colour));
+        const DenseGrid flat(3, colour);
+        pool->roll_back(mark);
+        EXPECT_TRUE(same_leaves(source_of(stream_of(flat)), planted(flat, *pool)).same);
+    }
+    for (std::size_t part = 0; part < 8; ++part) { // an octant of one colour, or divided
+        DenseGrid changed = grid;
+        for (std::size_t cell = 0; cell < 64; ++cell) changed[64 * part + cell] = Colour::black;
+        compare_with(changed);
+    }
+    EXPECT_GT(different, 515); // each cell and each colour
+}
+
 // Every query says of a damaged stream what the reader into a pool says.
 TEST(StreamQuery, FaultsAreThoseOfTheReader) {
     const DenseGrid grid = random_grid(3, 5, three_colours);

@@ -1,7 +1,7 @@
 #include "osem/stream.hpp"
 
 #include "osem/stream_builder.hpp"
-#include "stream/code_walk.hpp"
+#include "stream/code_runs.hpp"
 #include "stream/codes.hpp"
 #include "stream/crc.hpp"
 #include "stream/header.hpp"

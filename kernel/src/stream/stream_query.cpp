@@ -1,7 +1,7 @@
 #include "osem/stream_query.hpp"
 
 #include "osem/stream_cursor.hpp"
-#include "stream/code_walk.hpp"
+#include "stream/code_runs.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -132,14 +132,14 @@ StreamComparison same_leaves(const Source& a, const Source& b) {
 StreamComparison same_leaves(const Source& a, const Octree& b) {
     StreamCursor in_a;
     in_a.begin(a);
-    CodeWalk in_b(b);
-    bool same = true;
-    while (!in_a.done()) { // as far as they are the same, the tree goes on as long as the stream
-        same = in_a.colour() == in_b.colour();
-        if (!same) break;
-        in_a.next();
-        in_b.next();
-    }
+    const auto compare = [&in_a](std::uint32_t codes, unsigned count) {
+        for (; count != 0; --count, codes >>= 2) {
+            if (in_a.done() || in_a.colour() != static_cast<Colour>(codes & 3U)) return false;
+            in_a.next();
+        }
+        return true;
+    };
+    const bool same = each_run_of_codes(b, compare); // as far as they are, both are as long
     return {in_a.status(), false, in_a.offset(), same && in_a.status() == Status::ok};
 }
 
