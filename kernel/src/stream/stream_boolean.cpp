@@ -156,10 +156,15 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
     return passage.nodes;
 }
 
-// Goes on in both, or below a leaf of the held one; and when that subtree is over, in the held one as well.
+// Goes on in both, or below a leaf of the held one; behind the children of grey octants, if these are known
+// to be leaves. And when that subtree is over, in the held one as well.
 void StreamCombination::advance(bool past_leaves) {
-    if (held_ != Held::a) past_leaves ? a_.next_or_leaves() : a_.next();
-    if (held_ != Held::b) past_leaves ? b_.next_or_leaves() : b_.next();
+    const auto go_on = [past_leaves](StreamCursor& cursor) {
+        const bool behind = past_leaves && cursor.colour() == Colour::grey;
+        behind ? cursor.pass_leaves() : cursor.next();
+    };
+    if (held_ != Held::a) go_on(a_);
+    if (held_ != Held::b) go_on(b_);
     if (held_ != Held::a && !check(a_, 0)) return;
     if (held_ != Held::b && !check(b_, 1)) return;
     release();
