@@ -96,8 +96,8 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
     if (plane().normal(axis).value() == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
-    is_convex(plane()) ? pass_convex(axis, along_u, along_v, passages, scratch)
-                       : pass_any(axis, along_u, along_v, passages, scratch);
+    is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)
+                : pass_any(axis, along_u, along_v, passages, scratch);
 }
 
 // A row crosses one edge that rises and one that falls.

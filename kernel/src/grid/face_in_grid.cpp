@@ -9,11 +9,11 @@ namespace osem {
 // Triangles are; and so are quadrangles that turn the same way at every corner: exterior angles below 180
 // degrees add up to 360. (Five could add up to 720.) Seen along an axis that the normal is not across, turns
 // keep their sign.
-bool FaceInGrid::is_convex(const Plane& plane) const {
+bool FaceInGrid::is_convex() {
     if (end_ - corners_ > 4) return false; // as those of two rings are
     if (end_ - corners_ == 3) return true;
     int axis = 0;
-    while (axis < 2 && plane.normal(axis).value() == 0) ++axis;
+    while (axis < 2 && plane().normal(axis).value() == 0) ++axis;
     const auto along = [&](int from, int seen) -> std::int64_t {
         const Point& a = solid_.vertices[corners_[from & 3]];
         const Point& b = solid_.vertices[corners_[(from + 1) & 3]];
@@ -171,7 +171,7 @@ void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch) {
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
-    if (is_convex(plane())) {
+    if (is_convex()) {
         mark_convex(plane(), range, rows, scratch);
     } else {
         classify_octants(plane(), range, rows);

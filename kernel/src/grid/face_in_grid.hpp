@@ -94,7 +94,7 @@ class FaceInGrid {
         has_plane_ = true;
         return plane_;
     }
-    bool is_convex(const Plane& plane) const;
+    bool is_convex();
     // It must reach beyond both ends of an open interval.
     IndexRange overlapped(int axis) const {
         return grid_.octants_between(axis, extent_.low.at[axis], extent_.high.at[axis]);

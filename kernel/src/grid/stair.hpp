@@ -23,14 +23,14 @@ namespace osem {
 template <class Value>
 class DividedStair {
   public:
-    /// A number divided by d; of a stair, how much it rises or falls from row to row.
-    struct Slope {
+    /// A number divided by d.
+    struct Quotient {
         Value d;
         Value value;
         Value rest; ///< in [0, d)
 
-        Slope(Value divisor, Value n) : d(divisor), value(n / divisor), rest(n % divisor) { borrow(); }
-        void add(const Slope& other) {
+        Quotient(Value divisor, Value n) : d(divisor), value(n / divisor), rest(n % divisor) { borrow(); }
+        void add(const Quotient& other) {
             rest += other.rest - d;
             value += other.value + 1;
             borrow();
@@ -41,6 +41,8 @@ class DividedStair {
             rest += d & below;
         }
     };
+
+    using Slope = Quotient; ///< how much it rises or falls from row to row
 
     /// The guess is for those that walk.
     DividedStair(const Slope& slope, Value n, int most, int /*guess*/)
@@ -56,13 +58,13 @@ class DividedStair {
 
     /// The quotient, and what it is when another number is added to the dividend; neither is clipped.
     Value value() const { return now_.value; }
-    Value value_with(const Slope& added) const {
+    Value value_with(const Quotient& added) const {
         return now_.value + added.value + (now_.rest >= now_.d - added.rest ? 1 : 0);
     }
 
   private:
     Slope slope_;
-    Slope now_;
+    Quotient now_;
     int most_;
 };
 
@@ -111,7 +113,7 @@ class DividedBand {
   public:
     struct Slope {
         typename Stair::Slope slope;
-        typename Stair::Slope width;
+        typename Stair::Quotient width;
         Slope(Value d, Value by, Value between) : slope(d, by), width(d, between) {}
     };
 
@@ -134,7 +136,7 @@ class DividedBand {
 
   private:
     Stair stair_;
-    typename Stair::Slope width_;
+    typename Stair::Quotient width_;
 };
 
 template <class Value>
