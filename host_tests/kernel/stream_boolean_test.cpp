@@ -235,6 +235,19 @@ TEST(StreamBoolean, InOnePassAFaultLeavesNoStream) {
     }
 }
 
+TEST(StreamBoolean, ProgressIsNotThatOfTheJobBefore) {
+    const Bytes good = stream_of(random_grid(3, 21, three_colours));
+    Bytes bad = good;
+    bad[stream_header_size - 1] = static_cast<std::uint8_t>(bad[stream_header_size - 1] ^ 1U);
+    StreamCombination job;
+    TestSink to;
+    ASSERT_EQ(job.begin(Operator::unite, source_of(good), source_of(good), to.sink()), Status::ok);
+    EXPECT_TRUE(job.step(40));
+    EXPECT_GT(job.decided_volume(), 0U);
+    EXPECT_NE(job.begin(Operator::unite, source_of(bad), source_of(good), to.sink()), Status::ok);
+    EXPECT_EQ(job.decided_volume(), 0U);
+}
+
 TEST(StreamBoolean, UnfinishedWorkIsSaidToBe) {
     const Bytes a = stream_of(random_grid(3, 21, three_colours));
     StreamCombination job;

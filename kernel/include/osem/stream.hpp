@@ -54,7 +54,8 @@ struct StreamHeader {
 /// Takes bytes from the writer; false refuses. `context` is the caller's.
 ///
 /// Where what was written can be written over (memory, a file), `replace` does that with the first `count`
-/// bytes of all; a null pointer says that it cannot be. With it the header, which holds the node count, comes
+/// bytes of those written for this stream: once at most, behind the last write; a null pointer says that it
+/// cannot be. With it the header, which holds the node count, comes
 /// last: so what would take a pass to count nodes does without. Until then there are 0s in its place, which
 /// no reader takes for a stream.
 struct Sink {
@@ -76,7 +77,8 @@ Source memory_source(const std::uint8_t* bytes, std::size_t size);
 
 /// Writes a tree of up to 2^32 - 1 nodes (shared ones counted as often as they are reached); depth and node
 /// count of `header` are filled in from it. Precondition: header.leaf_rule is 0 or 1. Status: ok;
-/// sink_refused, after which nothing more is written. Cost: O(nodes of the tree), which are walked over
+/// sink_refused, after which nothing more is written; stream_count_mismatch for more nodes, if the sink can
+/// replace: no header is written then. Cost: O(nodes of the tree), which are walked over
 /// twice, or once where the sink can replace; O(depth) memory.
 Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 

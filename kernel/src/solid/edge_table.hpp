@@ -24,6 +24,7 @@ class EdgeTable {
     /// comes. False when there is no place for it: then nothing is changed. Precondition: its vertices'
     /// indices are below 2^32 - 1, and the table has two places at least.
     bool take(const Edge& edge) {
+        OSEM_ASSERT(bits_ != 0);
         std::uint32_t place = first_place(edge);
         Edge* free = nullptr;
         for (unsigned probes = 8 * bits_; probes != 0; --probes, place = (place + 1) & (size_ - 1)) {

@@ -12,7 +12,7 @@ Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink) {
     header.depth = tree.depth;
     header.nodes = 0;
     const auto count = [&header](std::uint32_t codes, unsigned) {
-        if (grey_codes(codes) != 0) ++header.nodes; // the last of them
+        if (grey_codes(codes) != 0) ++header.nodes; // a run has one grey octant at most, its last
         return true;
     };
     if (sink.replace == nullptr) each_run_of_codes(tree, count);

@@ -164,7 +164,7 @@ void StreamBuilder::write(const std::uint8_t* bytes, std::size_t count) {
 
 Status StreamBuilder::finish() {
     if (!whole_) return Status::unfinished;
-    if (!writing_) return Status::ok;
+    if (!writing_) return taken_ ? Status::ok : Status::sink_refused;
     writing_ = false;
     put_word(buffer_ + filled_, bits_);
     filled_ += used_ / 8 + 1; // 8n + 1 codes: the last byte holds one

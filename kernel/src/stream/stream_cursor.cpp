@@ -27,6 +27,8 @@ Source memory_source(const std::uint8_t* bytes, std::size_t size) {
 Status StreamCursor::begin(const Source& source) {
     source_ = source;
     header_ = StreamHeader{};
+    path_.begin(1, 0); // before the root: a header that is refused has no other
+    level_ = 0;
     crc_ = 0;
     at_ = 0;
     limit_ = 0;

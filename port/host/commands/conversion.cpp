@@ -34,6 +34,7 @@ auto build(Converted& made, const CheckedSolid& solid, int depth, Run run) {
     };
     auto outcome = timed(roomy_pool(estimate(solid.view(), depth).nodes()));
     if (built(outcome).status == Status::pool_exhausted) {
+        made.pool.reset();
         outcome = timed(std::make_unique<HostPool>(built(outcome).nodes_needed));
     }
     require_converted(built(outcome).status);

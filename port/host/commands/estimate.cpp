@@ -31,7 +31,7 @@ std::size_t child_of_root(const Point& p) {
 } // namespace
 
 std::uint64_t Estimate::nodes() const {
-    constexpr double most = 1 << 26; // 400 MB: beyond that it is found out instead
+    constexpr double most = 1 << 26;
     return static_cast<std::uint64_t>(std::min(leaves + faces + 1024, most));
 }
 
@@ -49,10 +49,7 @@ std::array<Estimate, 8> estimate_children(const Solid& solid, int depth) {
 
 Estimate estimate(const Solid& solid, int depth) {
     Estimate sum;
-    for (const Estimate& child : estimate_children(solid, depth)) {
-        sum.leaves += child.leaves;
-        sum.faces += child.faces;
-    }
+    for (const Estimate& child : estimate_children(solid, depth)) sum.add(child);
     return sum;
 }
 

@@ -13,8 +13,13 @@ struct Estimate {
     double leaves = 0; ///< the area of faces, in squares of a leaf's side
     double faces = 0;
 
+    void add(const Estimate& other) {
+        leaves += other.leaves;
+        faces += other.faces;
+    }
     /// Nodes of the tree: three-valued trees of meshes have about half a node a leaf of area, so this is
-    /// mostly enough, whatever the number of faces.
+    /// mostly enough, whatever the number of faces. At most 2^26, which are 400 MB: beyond that it is found
+    /// out instead.
     std::uint64_t nodes() const;
     /// Proportional to the time by grids: a face takes as long as some fifty leaves of its area.
     double effort() const { return leaves + 50 * faces; }

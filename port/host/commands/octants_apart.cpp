@@ -34,7 +34,9 @@ class Crew {
         const std::array<Estimate, 8> estimates = estimate_children(solid.view(), options.depth);
         std::sort(order_.begin(), order_.end(),
                   [&](unsigned a, unsigned b) { return estimates[a].effort() > estimates[b].effort(); });
-        for (const Estimate& part : estimates) nodes_ += part.nodes();
+        Estimate all;
+        for (const Estimate& part : estimates) all.add(part);
+        nodes_ = all.nodes();
     }
 
     std::array<Part, 8>& work(unsigned threads) {
@@ -70,15 +72,15 @@ class Crew {
     // Where there is no room in the pool, again in one that has it.
     void convert(GridConversion& job, std::vector<std::uint32_t>& scratch, unsigned child,
                  std::shared_ptr<HostPool> pool, Progress* progress) {
-        TreeOutcome outcome = {};
-        for (;;) {
-            parts_[child].first = static_cast<NodeIndex>(pool->pool().used());
-            outcome = run(job, scratch, child, pool->pool(), progress);
-            if (outcome.status != Status::pool_exhausted) break;
+        Part& part = parts_[child];
+        part.first = static_cast<NodeIndex>(pool->pool().used());
+        TreeOutcome outcome = run(job, scratch, child, pool->pool(), progress);
+        if (outcome.status == Status::pool_exhausted) {
             pool = std::make_shared<HostPool>(outcome.nodes_needed);
+            part.first = 0;
+            outcome = run(job, scratch, child, pool->pool(), progress);
         }
         require_converted(outcome.status);
-        Part& part = parts_[child];
         part.pool = std::move(pool);
         part.tree = outcome.tree;
         part.grids = job.grids_visited();

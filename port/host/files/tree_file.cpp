@@ -125,7 +125,9 @@ void write_tree(OutputFile& file, const Octree& tree, const TreeFacts& facts) {
     header.leaf_rule = static_cast<std::uint8_t>(facts.leaves);
     for (std::size_t i = 0; i < 3; ++i) header.frame[i] = bits_of(facts.cube.origin[i]);
     header.frame[3] = bits_of(facts.cube.side);
-    static_cast<void>(write_stream(tree, header, sink_of(file))); // commit() reports a refusal
+    if (write_stream(tree, header, sink_of(file)) == Status::stream_count_mismatch) {
+        throw BadInput("the tree has too many nodes for a file");
+    } // and commit() reports a refusal
 }
 
 Sink sink_of(OutputFile& file) {

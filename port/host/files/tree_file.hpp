@@ -59,8 +59,8 @@ class TreeFile {
 /// Whether a file's name ends as those of octree files do, in letters of either case.
 bool is_tree_name(const std::string& path);
 
-/// Takes the bytes of a stream, its header last where the file is a regular one; a refusal is the file's own
-/// fault state, which commit() reports.
+/// Takes the bytes of a stream with which the file begins, its header last if the file is a regular one; a
+/// refusal is the file's own fault state, which commit() reports.
 Sink sink_of(OutputFile& file);
 
 /// Writes a tree into an output file (without commit).
