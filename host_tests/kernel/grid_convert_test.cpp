@@ -51,6 +51,12 @@ void expect_same(const SmallSolid& solid, const ConvertOptions& options) {
         ASSERT_EQ(outcome.tree.depth, options.depth);
         ASSERT_EQ(pool.used_nodes(), expected.used_nodes());
         ASSERT_LE(job.scratch_used(), scratch.size());
+        // With no word to spare, where faces of any rings take another way.
+        Words needed(job.scratch_used());
+        HeapPool again(divided.nodes_needed);
+        ASSERT_EQ(needed.run(job, solid, options, &*again, last_levels).tree.top, divided.tree.top);
+        ASSERT_EQ(again.used_nodes(), expected.used_nodes());
+        ASSERT_EQ(job.scratch_used(), needed.size());
     }
 }
 
@@ -204,6 +210,51 @@ TEST(GridConversion, RandomPolygons) {
             SCOPED_TRACE(testing::Message() << "seed " << seed << ", corners " << corners);
             expect_same(prism(corners, seed, 1), 3, 5);
             expect_same(prism(corners, seed, root_side / 4), 3, 5);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+// A sheet of two sides with any rings in it, which may run along leaves' borders, cross each other and
+// themselves.
+SmallSolid sheet(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto below = [&random](std::uint32_t end) { return static_cast<std::int32_t>(random() % end); };
+    constexpr std::int32_t steps = 64;
+    Point along[2];
+    for (Point& step : along) {
+        for (std::int32_t& coordinate : step.at) {
+            // Leaves of depth 5 and 6 are multiples of these, or not.
+            coordinate = seed % 2 == 0 ? (below(2) * root_side / 512) : below(root_side / 256);
+        }
+    }
+    const auto at = [&](std::int32_t s, std::int32_t t) {
+        Point p = {};
+        for (unsigned i = 0; i < 3; ++i) {
+            p.at[i] = root_side / 8 + s * along[0].at[i] + t * along[1].at[i];
+        }
+        return p;
+    };
+    std::vector<std::vector<Point>> rings = {{at(0, 0), at(steps, 0), at(steps, steps), at(0, steps)}};
+    for (int hole = 0; hole < 6; ++hole) {
+        const std::int32_t s = below(steps);
+        const std::int32_t t = below(steps);
+        std::vector<Point> ring(3 + random() % 5);
+        for (Point& p : ring) p = at(s + below(20) - 10, t + below(20) - 10);
+        rings.push_back(ring);
+    }
+    SmallSolid solid;
+    solid.add_face(rings);
+    for (std::vector<Point>& ring : rings) std::reverse(ring.begin(), ring.end());
+    solid.add_face(rings);
+    return solid;
+}
+
+TEST(GridConversion, SheetsWithAnyRings) {
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        for (const int depth : {5, 6, 7}) {
+            expect_same(sheet(seed), ConvertOptions{depth});
             if (HasFatalFailure()) return;
         }
     }

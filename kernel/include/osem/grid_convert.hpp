@@ -57,8 +57,10 @@ struct GridOptions {
 /// levels above the last grids are odd), and at last into up to 32 x 32 x 32 leaves. Which octants a triangle
 /// or a convex quadrangle meets is found row by row: the bounding box, three projections to squares and the
 /// plane each leave a range of a row, and their ends go from row to row by additions. So do the places where
-/// rows of reference points cross a face; winding numbers are added up a row at once. Other faces are
-/// classified octant by octant. With centre leaves the reference points are the leaves' centres, so the last
+/// rows of reference points cross a face; winding numbers are added up a row at once. Of other faces the
+/// octants near a ring are classified one by one, and one of each part of the plane between them, if a last
+/// grid finds one more word of scratch for each of its rows, which is not counted as used; otherwise each
+/// octant is. With centre leaves the reference points are the leaves' centres, so the last
 /// grid classifies nothing. See kernel/DESIGN.md.
 class GridConversion {
   public:
@@ -75,8 +77,9 @@ class GridConversion {
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
     /// grid above; each triangle or convex quadrangle that meets the grid's octant against the rows that it
-    /// is seen to meet and to cross; for other faces a classification of each octant near their plane, and
-    /// each edge against each row of rows; in a last grid also a few steps a row and leaf on the surface.
+    /// is seen to meet and to cross; for other faces a classification of each octant near their rings (or of
+    /// each near their plane, see above), and each edge against each row of rows; in a last grid also a few
+    /// steps a row and leaf on the surface.
     bool step(std::uint32_t grids);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.

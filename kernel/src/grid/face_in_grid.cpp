@@ -1,6 +1,5 @@
 #include "grid/face_in_grid.hpp"
 
-#include "classify/box.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
@@ -157,24 +156,24 @@ class PassedOctants {
     OverPlane<PlaneBand> rows_;
 };
 
+} // namespace
+
 // Those of one row; apart, so that it takes no stack while octants are classified.
-[[gnu::noinline]] std::uint32_t passed_in_row(const Plane& plane, const OctantGrid& grid, const IndexRange& x,
-                                              int j, int k) {
-    const PlaneBand band = PassedOctants(plane, grid, x.first).at(j, k);
+[[gnu::noinline]] std::uint32_t FaceInGrid::passed_in_row(const Plane& plane, const IndexRange& x, int j,
+                                                          int k) const {
+    const PlaneBand band = PassedOctants(plane, grid_, x.first).at(j, k);
     if (plane.normal(0).value() != 0) return band.bits(x);
     return band.floor() < 0 && band.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
-} // namespace
-
-void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch) {
+void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
     if (is_convex()) {
         mark_convex(plane(), range, rows, scratch);
     } else {
-        classify_octants(plane(), range, rows);
+        mark_any(plane(), range, rows, scratch, near_rings);
     }
 }
 
@@ -221,25 +220,9 @@ void FaceInGrid::mark_all(const Ranges& range, std::uint32_t* rows) const {
     }
 }
 
-// The same for a face of any rings, octant by octant.
-void FaceInGrid::classify_octants(const Plane& plane, const Ranges& range, std::uint32_t* rows) const {
-    for (int k = range[2].first; k <= range[2].last; ++k) {
-        for (int j = range[1].first; j <= range[1].last; ++j) {
-            const std::uint32_t x =
-                plane.is_null() ? range[0].bits() : passed_in_row(plane, grid_, range[0], j, k);
-            for (int i = range[0].first; i <= range[0].last; ++i) {
-                if ((x >> i & 1U) == 0) continue;
-                Box box = {grid_.at(i, j, k), {}};
-                for (int axis = 0; axis < 3; ++axis) box.hi.at[axis] = box.lo.at[axis] + grid_.length();
-                if (classify_box(solid_, face_, box).meets) rows[grid_.row(j, k)] |= std::uint32_t{1} << i;
-            }
-        }
-    }
-}
-
 std::uint64_t FaceInGrid::octants_of_many(std::uint32_t* scratch) {
     for (int row = 0; row < grid_.rows(); ++row) scratch[row] = 0;
-    mark_many(scratch, scratch + 16);
+    mark_many(scratch, scratch + 16, nullptr);
     return as_mask(scratch, 0, grid_.levels);
 }
 

@@ -37,13 +37,15 @@ class FaceInGrid {
     /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
     /// quadrangles: a few steps for each row of octants that it is seen to meet along x, and for each row of
     /// squares that it is seen to meet along y and z. For other faces: a classification of each octant in the
-    /// face's bounding box through which its plane passes. Scratch: scratch_words(levels).
-    void mark(std::uint32_t* rows, std::uint32_t* scratch) {
+    /// face's bounding box through which its plane passes; or, with a word for each row of the grid in
+    /// `near_rings`, which may be null, of those near a ring and of one for each range of a row between them.
+    /// Scratch: scratch_words(levels).
+    void mark(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
         Index index;
         if (is_in_one(index)) {
             rows[grid_.row(index.at[1], index.at[2])] |= std::uint32_t{1} << index.at[0];
         } else {
-            mark_many(rows, scratch);
+            mark_many(rows, scratch, near_rings);
         }
     }
 
@@ -108,13 +110,25 @@ class FaceInGrid {
     IndexRange between(int axis) const {
         return grid_.points_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
     }
-    void mark_many(std::uint32_t* rows, std::uint32_t* scratch);
+    void mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings);
     void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
     void mark_all(const Ranges& range, std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
     void add_edge(int u, int v, const SeenEdge& edge, bool right, Slabs& slabs) const;
-    void classify_octants(const Plane& plane, const Ranges& range, std::uint32_t* rows) const;
+    std::uint32_t passed_in_row(const Plane& plane, const IndexRange& x, int j, int k) const;
+    // Octants of a row that are away from rings, and those of them that are met.
+    struct Settled {
+        std::uint32_t away;
+        std::uint32_t met;
+    };
+    void mark_any(const Plane& plane, const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch,
+                  std::uint32_t* near_rings) const;
+    Settled settled(std::uint32_t away, const Settled& before, const Settled& below, int j, int k) const;
+    void classify_each(std::uint32_t octants, int j, int k, std::uint32_t* rows) const;
+    bool meets(int i, int j, int k) const;
+    void find_near_rings(std::uint32_t* near_rings) const;
+    void find_near_edge(const Point& a, const Point& b, std::uint32_t* near_rings) const;
     void pass_all(RowWindings& windings, std::uint32_t* scratch);
     void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
               std::uint32_t* scratch);

@@ -56,7 +56,7 @@ struct GridList {
                      std::uint32_t* space) const {
         for (std::uint32_t i = 0; i < count; ++i) {
             FaceInGrid face(solid, faces[i], grid);
-            if (met != nullptr) face.mark(met, space);
+            if (met != nullptr) face.mark(met, space, windings.spare_words());
             face.add_crossings(windings, space);
         }
     }

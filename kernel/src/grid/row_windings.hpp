@@ -33,6 +33,10 @@ class RowWindings {
     /// nothing may be added.
     bool overflowed() const { return overflowed_; }
     std::uint32_t words_used() const { return (planes_ + 1) * rows_; }
+    /// A word for each row behind those in use, if there are any; they may be in use when more is added.
+    std::uint32_t* spare_words() const {
+        return words_used() + rows_ > room_ ? nullptr : first_ + words_used();
+    }
 
     /// The first number of a row differs from the one before it by so much more.
     void change_first(int row, std::int32_t by) {
