@@ -140,7 +140,9 @@ std::vector<SinkJob> stream_jobs(bool once) {
              builder.begin(header, sink_of(gate));
              tell(builder, colours);
              EXPECT_EQ(builder.taken(), !gate.refused);
-             return builder.finish();
+             const Status status = builder.finish();
+             EXPECT_EQ(builder.finish(), status) << "asked again";
+             return status;
          }},
         {"stream_complement" + passes, stream_of(complemented(first_grid())),
          [=](Gate& gate, std::uint32_t budget) {

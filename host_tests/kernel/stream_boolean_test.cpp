@@ -235,6 +235,27 @@ TEST(StreamBoolean, InOnePassAFaultLeavesNoStream) {
     }
 }
 
+// A checksum that is wrong is seen behind the last octant.
+TEST(StreamBoolean, ProgressIsWholeWhereOnlyTheChecksumIsWrong) {
+    const Bytes good = stream_of(random_grid(3, 21, three_colours));
+    Bytes bad = good;
+    bad.back() = static_cast<std::uint8_t>(bad.back() ^ 1U);
+    for (const bool once : {false, true}) {
+        StreamCombination job;
+        TestSink to;
+        ASSERT_EQ(job.begin(Operator::unite, source_of(good), source_of(bad),
+                            once ? to.replacing_sink() : to.sink()),
+                  Status::ok);
+        std::uint64_t decided = 0;
+        while (job.step(1)) {
+            EXPECT_GE(job.decided_volume(), decided);
+            decided = job.decided_volume();
+        }
+        EXPECT_EQ(job.decided_volume(), once ? root_volume : root_volume / 2);
+        EXPECT_EQ(job.finish().status, Status::stream_payload_damaged);
+    }
+}
+
 TEST(StreamBoolean, ProgressIsNotThatOfTheJobBefore) {
     const Bytes good = stream_of(random_grid(3, 21, three_colours));
     Bytes bad = good;

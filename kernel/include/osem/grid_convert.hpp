@@ -29,7 +29,7 @@ constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < 
 /// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and
 /// one more a row each time that what winding numbers in a row differ by from its first one outgrows a power
 /// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for
-/// 32 x 32 rows, and about 3.5 a face, are mostly enough.
+/// 32 x 32 rows, 64 for each grid above, about 3.5 a face and 100 are mostly enough.
 /// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;

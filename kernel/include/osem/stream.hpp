@@ -38,7 +38,8 @@ namespace osem {
 constexpr std::size_t stream_header_size = 48;
 constexpr std::size_t stream_trailer_size = 4;
 
-/// Bytes of a stream of `nodes` grey octants (0 when the root is a leaf): exact.
+/// Bytes of a stream of `nodes` grey octants (0 when the root is a leaf): exact. They are those of
+/// measure(tree).nodes: one more than the tree takes from a pool, which does not hold its top node.
 constexpr std::uint64_t stream_size(std::uint64_t nodes) {
     return stream_header_size + (2 * nodes + 1) + stream_trailer_size;
 }

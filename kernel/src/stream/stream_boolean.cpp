@@ -187,6 +187,7 @@ void StreamCombination::release() {
 std::uint64_t StreamCombination::decided_cells() const {
     if (phase_ != Phase::counting && phase_ != Phase::writing) return decided_;
     const StreamCursor& walker = held_ == Held::a ? b_ : a_;
+    if (walker.done() && walker.path_.whole()) return decided_ + root_volume; // what is behind is wrong
     const int inner = walker.path_.level();
     return decided_ + (way_ == Way::each ? walker.path_.volume_before(walker.level())
                                          : walker.path_.volume_before(inner) + volume_at(inner));
