@@ -34,9 +34,9 @@ class Numbers {
 
     void change_first(int j, int k, std::int32_t number) {
         windings_.change_first(j + k * side_, number);
-        for (int layer = k; layer < side_; ++layer) {
-            if (j > 0 && layer > k) break; // of row (0, k) all layers above change
-            for (int row = j; row < side_; ++row) {
+        for (int row = j; row < side_; ++row) {
+            if (k > 0 && row > j) break; // of row (j, 0) all rows behind change
+            for (int layer = k; layer < side_; ++layer) {
                 for (int i = 0; i < side_; ++i) at(i, row, layer) += number;
             }
         }

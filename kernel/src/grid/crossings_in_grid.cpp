@@ -52,7 +52,7 @@ class FaceInGrid::Passages {
         for (int u = along_u.first; u <= along_u.last; ++u, last.next()) {
             if (!last.is_within()) continue;
             const int first = last.floor() + 1;
-            windings_.change_first(axis_ == axis_y ? grid_.row(first, v) : grid_.row(0, first), number);
+            windings_.change_first(axis_ == axis_y ? grid_.row(first, v) : grid_.row(v, first), number);
         }
     }
 
@@ -80,14 +80,14 @@ class FaceInGrid::Passages {
     RowWindings& windings_;
 };
 
-// Along y and z only from the first points along x, and along z only from the first along y.
+// Along z and y only from the first points along x, and along y only from the first along z.
 void FaceInGrid::pass_all(RowWindings& windings, std::uint32_t* scratch) {
     const IndexRange z = between(axis_z);
     if (!z.empty()) pass(axis_x, between(axis_y), z, windings, scratch);
     const IndexRange first_x = common(between(axis_x), {0, 0});
     if (first_x.empty()) return;
-    pass(axis_y, first_x, z, windings, scratch);
-    pass(axis_z, first_x, common(between(axis_y), {0, 0}), windings, scratch);
+    pass(axis_z, first_x, between(axis_y), windings, scratch);
+    pass(axis_y, first_x, common(z, {0, 0}), windings, scratch);
 }
 
 void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,

@@ -21,9 +21,22 @@ constexpr std::uint32_t all_of_four(std::uint32_t bits) {
     return bits & bits >> 1 & every_state;
 }
 
-constexpr std::uint64_t two_rows(const std::uint32_t* row) { return row[0] | std::uint64_t{row[1]} << 32; }
-constexpr std::uint32_t both_or(std::uint64_t rows) { return static_cast<std::uint32_t>(rows | rows >> 32); }
-constexpr std::uint32_t both_and(std::uint64_t rows) { return static_cast<std::uint32_t>(rows & rows >> 32); }
+// What the rows of parts in a row along x have in common: members of any of the 16, and of all.
+struct RowsInCommon {
+    std::uint32_t any;
+    std::uint32_t all;
+
+    RowsInCommon(const std::uint32_t* row, int levels) {
+        std::uint64_t any_of_two = 0; // by two rows at a time
+        std::uint64_t all_of_two = ~std::uint64_t{0};
+        for (int k = 0; k < 4; ++k, row += std::size_t{1} << levels) {
+            any_of_two |= two_rows(row) | two_rows(row + 2);
+            all_of_two &= two_rows(row) & two_rows(row + 2);
+        }
+        any = static_cast<std::uint32_t>(any_of_two | any_of_two >> 32);
+        all = static_cast<std::uint32_t>(all_of_two & all_of_two >> 32);
+    }
+};
 
 // The states of a word as members of a mask, by their lowest bits.
 constexpr std::uint8_t lowest_of_states(std::uint32_t states) {
@@ -42,39 +55,39 @@ constexpr std::uint32_t common_states(std::uint32_t a, std::uint32_t b, std::uin
     return (states | states >> 8) & 0xffffU;
 }
 
-// Every third bit of a Morton number.
-constexpr unsigned coordinate(unsigned morton) {
-    return (morton & 1U) | (morton >> 2 & 2U) | (morton >> 4 & 4U);
-}
-
 } // namespace
 
 void GridLeaves::set(TreeBuilder& builder) const {
     if (levels <= 2) return set_small(builder);
     sum_up();
-    std::uint8_t left[most_grid_levels - 1]; // children that differ in themselves, of the open octants
-    int height = levels - 2;                 // of the open octant above the parts
-    unsigned octant = 0;                     // in Morton order among those of its height
-    left[height] = set_uniform(octant, height, builder);
+    std::uint8_t left[most_grid_levels - 1];   // children that differ in themselves, of the open octants
+    std::uint32_t first[most_grid_levels - 1]; // their first leaves
+    int height = levels - 2;                   // of the open octant above the parts
+    first[height] = 0;
+    left[height] = set_uniform(0, height, builder);
     for (;;) {
         if (left[height] == 0) {
             if (++height > levels - 2) return;
             builder.close();
-            octant >>= 3;
             continue;
         }
         const unsigned child = lowest(left[height]);
         left[height] = without_lowest(left[height]);
+        const std::uint32_t leaf = first[height] + (leaf_at(child) << (height + 1));
         if (height == 1) {
-            const Leaves part = leaves_of(8 * octant + child);
+            const Leaves part = leaves_of(leaf);
             builder.subtree(child, part.may, part.must);
         } else {
             builder.open(child);
-            octant = 8 * octant + child;
-            --height;
-            left[height] = set_uniform(octant, height, builder);
+            first[--height] = leaf;
+            left[height] = set_uniform(leaf, height, builder);
         }
     }
+}
+
+// A leaf is known by its row and its place in it: i + side * row. This is that of child `child` of eight.
+std::uint32_t GridLeaves::leaf_at(unsigned child) const {
+    return (child & 1U) | (child >> 1 & 1U) << levels | child >> 2 << (2 * levels);
 }
 
 // The states of the parts, for a row of them along x one word; and then those of two by two by two parts, and
@@ -95,33 +108,27 @@ void GridLeaves::sum_up() const {
     }
 }
 
-// By two rows at a time: only what they have in common counts.
 std::uint32_t GridLeaves::states_of_parts(std::uint32_t first_row) const {
-    std::uint64_t any_may = 0;
-    std::uint64_t all_may = ~std::uint64_t{0};
-    std::uint64_t any_must = 0;
-    std::uint64_t all_must = ~std::uint64_t{0};
-    for (std::uint32_t i = 0; i < 16; i += 2) {
-        const std::uint32_t row = first_row + (i & 3U) + ((i >> 2) << levels);
-        const std::uint64_t black = two_rows(inside + row);
-        const std::uint64_t boundary = met == nullptr ? 0 : two_rows(met + row);
-        any_may |= black | boundary;
-        all_may &= black | boundary;
-        any_must |= black & ~boundary;
-        all_must &= black & ~boundary;
-    }
-    return any_of_four(both_or(any_may)) | all_of_four(both_and(all_must)) << 1 |
-           (all_of_four(both_and(all_may)) & ~any_of_four(both_or(any_must))) << 2;
+    const RowsInCommon black(inside + first_row, levels);
+    const std::uint32_t any_black = any_of_four(black.any);
+    const std::uint32_t all_black = all_of_four(black.all);
+    if (met == nullptr) return any_black | all_black << 1;
+    const RowsInCommon boundary(met + first_row, levels);
+    const std::uint32_t any_boundary = any_of_four(boundary.any);
+    return any_black | any_boundary | (all_black & ~any_boundary) << 1 | all_of_four(boundary.all) << 2;
 }
 
 // Sets the children of the open octant that are leaves; the other ones.
-std::uint8_t GridLeaves::set_uniform(unsigned octant, int height, TreeBuilder& builder) const {
+std::uint8_t GridLeaves::set_uniform(std::uint32_t leaf, int height, TreeBuilder& builder) const {
     const std::uint32_t* states = scratch;
     std::uint32_t rows = std::uint32_t{1} << (levels - 2);
     for (int below = 1; below < height; ++below, rows /= 2) states += std::size_t{rows} * rows;
-    const std::uint32_t* const row =
-        states + std::size_t{2} * coordinate(octant >> 1) + std::size_t{2} * rows * coordinate(octant >> 2);
-    const unsigned x = 8 * coordinate(octant);
+    const std::uint32_t lowest_bits = (std::uint32_t{1} << levels) - 1;
+    const int size = height + 1; // of the children, as levels
+    const std::uint32_t j = (leaf >> levels & lowest_bits) >> size;
+    const std::uint32_t k = leaf >> (2 * levels) >> size;
+    const std::uint32_t* const row = states + j + std::size_t{rows} * k;
+    const unsigned x = 4 * ((leaf & lowest_bits) >> size);
     const std::uint32_t children = (row[0] >> x & 255U) | (row[1] >> x & 255U) << 8 |
                                    (row[rows] >> x & 255U) << 16 | (row[rows + 1] >> x & 255U) << 24;
     const std::uint8_t black = lowest_of_states(children >> 1);
@@ -130,12 +137,12 @@ std::uint8_t GridLeaves::set_uniform(unsigned octant, int height, TreeBuilder& b
     return static_cast<std::uint8_t>(lowest_of_states(children) & ~may);
 }
 
-// The leaves of a part in Morton order.
-GridLeaves::Leaves GridLeaves::leaves_of(unsigned part) const {
-    const unsigned x = 4 * coordinate(part);
-    const std::uint32_t first = 4 * coordinate(part >> 1) + ((4 * coordinate(part >> 2)) << levels);
-    const std::uint64_t black = in_morton_order(as_mask(inside + first, x, levels));
-    const std::uint64_t boundary = met == nullptr ? 0 : in_morton_order(as_mask(met + first, x, levels));
+// The leaves of a part in Morton order, from its first one.
+GridLeaves::Leaves GridLeaves::leaves_of(std::uint32_t leaf) const {
+    const std::uint32_t row = leaf >> levels;
+    const unsigned x = leaf - (row << levels);
+    const std::uint64_t black = in_morton_order(as_mask(inside + row, x, levels));
+    const std::uint64_t boundary = met == nullptr ? 0 : in_morton_order(as_mask(met + row, x, levels));
     return {black | boundary, black & ~boundary};
 }
 

@@ -23,12 +23,13 @@ struct GridLeaves {
   private:
     void sum_up() const;
     std::uint32_t states_of_parts(std::uint32_t first_row) const;
-    std::uint8_t set_uniform(unsigned octant, int height, TreeBuilder& builder) const;
+    std::uint32_t leaf_at(unsigned child) const;
+    std::uint8_t set_uniform(std::uint32_t leaf, int height, TreeBuilder& builder) const;
     struct Leaves {
         std::uint64_t may;
         std::uint64_t must;
     };
-    Leaves leaves_of(unsigned part) const;
+    Leaves leaves_of(std::uint32_t leaf) const;
     void set_small(TreeBuilder& builder) const;
 };
 

@@ -76,18 +76,24 @@ constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
     return {a.first > b.first ? a.first : b.first, a.last < b.last ? a.last : b.last};
 }
 
-/// A part of 4 x 4 x 4 octants of a grid, or all of a smaller one, as one mask: the row is that of its first
-/// octant, which is octant x of it.
+/// Two rows as one word, the first one lowest.
+inline std::uint64_t two_rows(const std::uint32_t* row) { return row[0] | std::uint64_t{row[1]} << 32; }
+
+/// A part of 4 x 4 x 4 octants of a grid, or all of a grid of eight, as one mask: the row is that of its
+/// first octant, which is octant x of it.
 inline std::uint64_t as_mask(const std::uint32_t* row, unsigned x, int levels) {
-    const unsigned side = levels < 2 ? 2 : 4;
-    const std::uint32_t of_row = (1U << side) - 1;
     std::uint64_t set = 0;
-    for (unsigned k = 0; k < side; ++k, row += std::size_t{1} << levels) {
-        std::uint32_t layer = (row[0] >> x & of_row) | (row[1] >> x & of_row) << 4;
-        if (side == 4) layer |= (row[2] >> x & of_row) << 8 | (row[3] >> x & of_row) << 12;
-        set = set >> 16 | std::uint64_t{layer} << 48;
+    if (levels == 1) {
+        for (unsigned k = 0; k < 2; ++k)
+            set |= std::uint64_t{(row[2 * k] & 3U) | (row[2 * k + 1] & 3U) << 4} << 16 * k;
+        return set;
     }
-    return side == 4 ? set : set >> 32;
+    constexpr std::uint64_t of_two = 0x0000000f0000000f;
+    for (unsigned k = 0; k < 4; ++k, row += std::size_t{1} << levels) {
+        const std::uint64_t layer = (two_rows(row) >> x & of_two) | (two_rows(row + 2) >> x & of_two) << 8;
+        set = set >> 16 | (layer | layer >> 28) << 48;
+    }
+    return set;
 }
 
 /// The lowest member of a set that is not empty.

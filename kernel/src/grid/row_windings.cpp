@@ -31,11 +31,11 @@ void RowWindings::finish(std::int32_t winding) {
         return;
     }
     const std::uint32_t side = std::uint32_t{1} << levels_;
-    std::uint32_t of_layer = number;
-    for (std::uint32_t* layer = first_; layer != first_ + rows_; layer += side) {
-        of_layer += layer[0];
-        layer[0] = of_layer;
-        for (std::uint32_t row = 1; row < side; ++row) layer[row] += layer[row - 1];
+    first_[0] += number;
+    for (std::uint32_t row = 1; row < side; ++row) first_[row] += first_[row - 1];
+    const std::uint32_t* before = first_;
+    for (std::uint32_t* layer = first_ + side; layer != first_ + rows_; layer += side, before += side) {
+        for (std::uint32_t row = 0; row < side; ++row) layer[row] += before[row];
     }
 }
 
@@ -44,39 +44,48 @@ const std::uint32_t* RowWindings::inside() {
     const std::uint32_t rows = rows_;
     if (rule_ == WindingRule::odd) {
         for (std::uint32_t row = 0; row < rows; ++row) result[row] ^= 0 - (first_[row] & 1U);
-    } else if (rule_ == WindingRule::nonzero && planes_ == 2) {
-        set_where_not_zero(result, plane(1));
+    } else if (rule_ == WindingRule::nonzero) {
+        set_where_not_zero(result);
     } else {
         for (std::uint32_t row = 0; row < rows; ++row) result[row] = inside_of(row);
     }
     return result;
 }
 
-// As inside_of, for the two planes that there are as a rule.
-void RowWindings::set_where_not_zero(std::uint32_t* low, const std::uint32_t* sign) const {
+// What is added to a row's first number is not the number that would make it 0: they differ in any bit, up to
+// the sign, which stands for all above it.
+void RowWindings::set_where_not_zero(std::uint32_t* low) const {
     const std::uint32_t* const first = first_;
-    for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) {
+    const std::uint32_t rows = rows_;
+    const unsigned sign_plane = planes_ - 1;
+    const std::uint32_t* const sign = plane(sign_plane);
+    const std::uint32_t least = std::uint32_t{1} << sign_plane; // below 0 that the planes hold
+    for (std::uint32_t row = 0; row < rows; ++row) {
         const std::uint32_t number = 0 - first[row];
-        const std::uint32_t beyond = (number + 2) >> 2; // 0 for -2 to 1
+        const std::uint32_t beyond = (number + least) >> sign_plane >> 1; // 0 for what they hold
         const std::uint32_t differing = (low[row] ^ (0 - (number & 1U))) | (sign[row] ^ (0 - (number >> 31)));
         low[row] = beyond != 0 ? ~std::uint32_t{0} : differing;
     }
+    for (unsigned b = 1; b < sign_plane; ++b) {
+        const std::uint32_t* const bits = plane(b);
+        for (std::uint32_t row = 0; row < rows; ++row)
+            low[row] |= bits[row] ^ (0 - ((0 - first[row]) >> b & 1U));
+    }
 }
 
-// What is added to the row's first number differs from the number that would make it 0, or is greater. That
-// is found from the lowest bit up, each bit deciding before all below it; by the sign, greater is what is not
-// below 0.
+// By the positive rule: what is added to the row's first number is greater than the number that would make
+// it 0. That is found from the lowest bit up, each bit deciding before all below it; by the sign, greater is
+// what is not below 0.
 std::uint32_t RowWindings::inside_of(std::uint32_t row) const {
     const auto number = static_cast<std::int32_t>(0 - first_[row]);
-    const std::uint32_t any = rule_ == WindingRule::nonzero ? ~std::uint32_t{0} : 0;
     const unsigned sign_plane = planes_ - 1;
     const std::int32_t sign = number < 0 ? -1 : 0;
-    if (number >> sign_plane != sign) return any | static_cast<std::uint32_t>(sign); // beyond the planes
+    if (number >> sign_plane != sign) return static_cast<std::uint32_t>(sign); // beyond the planes
     std::uint32_t inside = 0;
     for (unsigned b = 0; b < planes_; ++b) {
         const std::uint32_t bit = 0 - (static_cast<std::uint32_t>(number) >> b & 1U);
         const std::uint32_t differing = plane(b)[row] ^ bit;
-        const std::uint32_t greater = any | (b == sign_plane ? bit : plane(b)[row]);
+        const std::uint32_t greater = b == sign_plane ? bit : plane(b)[row];
         inside = (inside & ~differing) | (differing & greater);
     }
     return inside;

@@ -11,7 +11,7 @@
 namespace osem {
 
 /// Of a row's first point there is the number, in the first `rows` words; until all is known as a difference:
-/// of row (0, k) from row (0, k - 1), and of row (j, k) from row (j - 1, k). Of each point there is what its
+/// of row (j, 0) from row (j - 1, 0), and of row (j, k) from row (j, k - 1). Of each point there is what its
 /// number differs by from the first one of its row: so a row is added to without knowing that.
 ///
 /// These differences are in two's complement, bit b of a row's in one word, a plane of such words for each b:
@@ -49,25 +49,9 @@ class RowWindings {
     [[gnu::always_inline]] void add_behind(std::uint32_t row, std::uint32_t end, PlaneStair& last,
                                            std::int32_t number) {
         // Mostly it is 1 or -1 and there are two planes: then without a loop over them.
-        bool is_plain = planes_ == 2 && (number == 1 || number == -1);
-        const std::uint32_t down = number > 0 ? 0 : ~std::uint32_t{0};
-        std::uint32_t* const low = plane(0);
-        std::uint32_t* const sign = plane(1);
+        if (planes_ == 2 && (number == 1 || number == -1)) add_one_behind(row, end, last, number > 0);
         for (; row != end; ++row, last.next()) {
-            if (!last.is_within()) continue;
-            const std::uint32_t set = ~std::uint32_t{0} << (last.floor() + 1);
-            if (!is_plain) {
-                add(row, set, number);
-                continue;
-            }
-            const std::uint32_t carry = set & (low[row] ^ down);
-            const std::uint32_t outgrown = carry & ~(sign[row] ^ down);
-            low[row] ^= set;
-            sign[row] ^= carry;
-            if (outgrown != 0) {
-                widen(row, outgrown);
-                is_plain = false;
-            }
+            if (last.is_within()) add(row, behind(last), number);
         }
     }
 
@@ -81,11 +65,32 @@ class RowWindings {
     const std::uint32_t* inside();
 
   private:
+    static std::uint32_t behind(const PlaneStair& last) { return ~std::uint32_t{1} << last.value(); }
+    // As add_behind, while two planes suffice; goes on to the row behind.
+    [[gnu::always_inline]] void add_one_behind(std::uint32_t& row, std::uint32_t end, PlaneStair& last,
+                                               bool up) {
+        const std::uint32_t down = up ? 0 : ~std::uint32_t{0};
+        const std::size_t to_sign = rows_;
+        std::uint32_t* const last_low = plane(0) + end;
+        for (std::uint32_t* low = plane(0) + row; low != last_low; ++low, last.next()) {
+            if (!last.is_within()) continue;
+            const std::uint32_t set = behind(last);
+            const std::uint32_t carry = set & (*low ^ down);
+            const std::uint32_t outgrown = carry & ~(low[to_sign] ^ down);
+            *low ^= set;
+            low[to_sign] ^= carry;
+            if (outgrown == 0) continue;
+            row = static_cast<std::uint32_t>(low - plane(0));
+            widen(row++, outgrown);
+            return last.next();
+        }
+        row = end;
+    }
     std::uint32_t* plane(unsigned b) const { return first_ + std::size_t{b + 1} * rows_; }
     void add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up);
     void add(std::uint32_t row, std::uint32_t set, std::int32_t number);
     void widen(std::uint32_t row, std::uint32_t outgrown);
-    void set_where_not_zero(std::uint32_t* low, const std::uint32_t* sign) const;
+    void set_where_not_zero(std::uint32_t* low) const;
     std::uint32_t inside_of(std::uint32_t row) const;
 
     std::uint32_t* first_;

@@ -13,6 +13,7 @@
 #define OSEM_GRID_STAIR_HPP
 
 #include <cstdint>
+#include <type_traits>
 
 #include "grid/octant_grid.hpp"
 
@@ -25,24 +26,27 @@ class DividedStair {
   public:
     /// A number divided by d.
     struct Quotient {
-        Value d;
         Value value;
         Value rest; ///< in [0, d)
 
-        Quotient(Value divisor, Value n) : d(divisor), value(n / divisor), rest(n % divisor) { borrow(); }
-        void add(const Quotient& other) {
-            rest += other.rest - d;
-            value += other.value + 1;
-            borrow();
-        }
-        void borrow() {
+        Quotient(Value d, Value n) : value(n / d), rest(n % d) { borrow(d); }
+        void borrow(Value d) {
             const Value below = rest >> (8 * sizeof(Value) - 1); // -1 if it is below 0
             value += below;
             rest += d & below;
         }
     };
 
-    using Slope = Quotient; ///< how much it rises or falls from row to row
+    /// How much it rises or falls from row to row; one is borrowed beforehand and mostly given back.
+    struct Slope {
+        Value d;
+        Quotient step;
+
+        Slope(Value divisor, Value change) : d(divisor), step(divisor, change) {
+            step.value += 1;
+            step.rest -= d;
+        }
+    };
 
     /// The guess is for those that walk.
     DividedStair(const Slope& slope, Value n, int most, int /*guess*/)
@@ -53,13 +57,20 @@ class DividedStair {
         return static_cast<int>(not_above > -1 ? not_above : -1);
     }
     /// Whether the quotient is in [0, most).
-    bool is_within() const { return now_.value >= 0 && now_.value < most_; }
-    void next() { now_.add(slope_); }
+    bool is_within() const {
+        using Unsigned = std::make_unsigned_t<Value>; // below 0 is above all
+        return static_cast<Unsigned>(now_.value) < static_cast<Unsigned>(most_);
+    }
+    void next() {
+        now_.value += slope_.step.value;
+        now_.rest += slope_.step.rest;
+        now_.borrow(slope_.d);
+    }
 
     /// The quotient, and what it is when another number is added to the dividend; neither is clipped.
     Value value() const { return now_.value; }
     Value value_with(const Quotient& added) const {
-        return now_.value + added.value + (now_.rest >= now_.d - added.rest ? 1 : 0);
+        return now_.value + added.value + (now_.rest >= slope_.d - added.rest ? 1 : 0);
     }
 
   private:
@@ -86,6 +97,7 @@ class WalkedStair {
 
     int floor() const { return value_; }
     bool is_within() const { return value_ >= 0 && value_ < most_; }
+    int value() const { return value_; }
     void next() {
         rest_ += slope_.by;
         slope_.by < 0 ? fall() : rise();

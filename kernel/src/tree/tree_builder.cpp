@@ -10,28 +10,17 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
-// The bytes of a set as members of a mask, by their lowest bits.
+// Bytes of a set as members of a mask, by their lowest bits: byte c has the power 8c and is multiplied by
+// that of 56 - 7c, so that it comes to 56 + c; no two products coincide, so there are no carries.
 constexpr std::uint8_t lowest_of_bytes(std::uint64_t set) {
-    set &= 0x0101010101010101;
-    set |= set >> 7;
-    set |= set >> 14;
-    return static_cast<std::uint8_t>((set | set >> 28) & 255U);
+    return static_cast<std::uint8_t>((set & 0x0101010101010101) * 0x0102040810204080 >> 56);
 }
 
-// The bytes whose bits are all alike.
-constexpr std::uint8_t alike(std::uint64_t set) {
-    std::uint64_t any = set | set >> 4;
-    any |= any >> 2;
-    any |= any >> 1;
-    std::uint64_t all = set & set >> 4;
-    all &= all >> 2;
-    all &= all >> 1;
-    return lowest_of_bytes(~(any ^ all));
-}
-
-// The children, of eight leaves each, whose leaves are all alike: one leaf each.
-constexpr std::uint8_t uniform_children(std::uint64_t may, std::uint64_t must) {
-    return alike(may) & alike(must);
+// The children, of eight leaves each, whose leaves are not all alike: each other one is one leaf.
+constexpr std::uint8_t divided_children(std::uint64_t may, std::uint64_t must) {
+    constexpr std::uint64_t lower_bits = 0x7f7f7f7f7f7f7f7f;
+    const std::uint64_t changes = ((may ^ may >> 1) | (must ^ must >> 1)) & lower_bits;
+    return lowest_of_bytes((changes + lower_bits) >> 7); // a byte with any comes to its highest bit
 }
 
 Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
@@ -114,9 +103,10 @@ void TreeBuilder::write_group(const Level& level, std::uint8_t grey, NodeIndex& 
 
 void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint64_t to_open) {
     OSEM_ASSERT(level_ + 1 < max_depth && (must & ~may) == 0);
-    const std::uint8_t uniform = uniform_children(may, must);
+    const std::uint8_t divided = divided_children(may, must);
+    const auto uniform = static_cast<std::uint8_t>(~divided);
     leaves(lowest_of_bytes(may) & uniform, lowest_of_bytes(must) & uniform);
-    for (auto left = static_cast<std::uint8_t>(~uniform); left != 0; left = without_lowest(left)) {
+    for (std::uint8_t left = divided; left != 0; left = without_lowest(left)) {
         const unsigned child = lowest(left);
         if (children_of(to_open, child) == 0) graft(child, node_of_eight(may, must, child));
     }
@@ -129,8 +119,8 @@ void TreeBuilder::eight_leaves(unsigned child, std::uint8_t may, std::uint8_t mu
 
 void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must) {
     OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8 && (must & ~may) == 0);
-    const std::uint8_t uniform = uniform_children(may, must);
-    const auto grey = static_cast<std::uint8_t>(~uniform);
+    const std::uint8_t grey = divided_children(may, must);
+    const auto uniform = static_cast<std::uint8_t>(~grey);
     NodeIndex first = 0;
     const std::uint32_t count = count_bits(grey);
     Node* group = count == 0 ? nullptr : extend(count, first);
