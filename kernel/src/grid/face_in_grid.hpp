@@ -50,7 +50,7 @@ class FaceInGrid {
     }
 
     /// Adds what it adds to the winding number on the way from the reference point of the grid's corner
-    /// octant to every other one: along z first, then y, then x, as crossing of each step. Cost: a few steps
+    /// octant to every other one: along y first, then z, then x, as crossing of each step. Cost: a few steps
     /// for each row that it crosses; for other faces than above also each edge for each row of rows. Scratch:
     /// scratch_words(levels).
     void add_crossings(RowWindings& windings, std::uint32_t* scratch) {

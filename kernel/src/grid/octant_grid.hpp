@@ -82,12 +82,8 @@ inline std::uint64_t two_rows(const std::uint32_t* row) { return row[0] | std::u
 /// A part of 4 x 4 x 4 octants of a grid, or all of a grid of eight, as one mask: the row is that of its
 /// first octant, which is octant x of it.
 inline std::uint64_t as_mask(const std::uint32_t* row, unsigned x, int levels) {
+    if (levels == 1) return (row[0] & 3U) | (row[1] & 3U) << 4 | (row[2] & 3U) << 16 | (row[3] & 3U) << 20;
     std::uint64_t set = 0;
-    if (levels == 1) {
-        for (unsigned k = 0; k < 2; ++k)
-            set |= std::uint64_t{(row[2 * k] & 3U) | (row[2 * k + 1] & 3U) << 4} << 16 * k;
-        return set;
-    }
     constexpr std::uint64_t of_two = 0x0000000f0000000f;
     for (unsigned k = 0; k < 4; ++k, row += std::size_t{1} << levels) {
         const std::uint64_t layer = (two_rows(row) >> x & of_two) | (two_rows(row + 2) >> x & of_two) << 8;

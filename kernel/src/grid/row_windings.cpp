@@ -68,8 +68,9 @@ void RowWindings::set_where_not_zero(std::uint32_t* low) const {
     }
     for (unsigned b = 1; b < sign_plane; ++b) {
         const std::uint32_t* const bits = plane(b);
-        for (std::uint32_t row = 0; row < rows; ++row)
+        for (std::uint32_t row = 0; row < rows; ++row) {
             low[row] |= bits[row] ^ (0 - ((0 - first[row]) >> b & 1U));
+        }
     }
 }
 
