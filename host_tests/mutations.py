@@ -181,6 +181,13 @@ MUTATIONS = [
      "a stream that does not matter is entered"),
     # stream
     ("stream/preorder_path.cpp", "if (level_ >= depth_) return", "if (level_ > depth_) return", "one level too deep"),
+    ("stream/codes.hpp", "0x0004000300020001U", "0x0004000300020000U", "a checked subtree that ends with its first group"),
+    ("stream/codes.hpp", "(8 - bit % 8)", "(6 - bit % 8)", "the last group of codes that begin within a byte"),
+    ("stream/preorder_path.cpp", "to_come_ = to_come;", "", "a checked subtree that is passed in two steps"),
+    ("stream/preorder_path.cpp", "nodes_left_ -= nodes;", "", "nodes of a checked subtree are not counted"),
+    ("stream/stream_cursor.cpp", "i < filled_; ++i) buffer_[i] = from[i]", "i + 1 < filled_; ++i) buffer_[i] = from[i]",
+     "a checked stream without its last byte"),
+    ("stream/stream_cursor.cpp", "at_ %= 4;\n    if (left", "if (left", "a checked stream is read on from the wrong code"),
     ("stream/preorder_path.cpp", "alike_ = first || (alike_ && code == colour_);", "alike_ = first || alike_;",
      "leaves of two colours are alike"),
     ("stream/stream.cpp", "if (--trailer_left_ == 0 && crc_read_ != crc_)",

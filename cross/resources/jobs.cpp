@@ -56,6 +56,7 @@ struct StreamMemory {
 
     Sink sink() { return Sink{write, this, replace}; }
     Source source() const { return memory_source(bytes, length); }
+    StreamCheckOutcome check() const { return check_stream(bytes, length); }
 
   private:
     static bool write(void* context, const std::uint8_t* from, std::size_t count) {
@@ -155,6 +156,19 @@ bool stream_jobs(const Octree& tree, const Octree& other, const Octree& both) {
     good &= write_stream(other, StreamHeader{}, other_stream.sink()) == Status::ok;
     good &= count("stream_union", [&] {
         return combine(stream_combination, Operator::unite, stream.source(), other_stream.source(),
+                       united_stream.sink())
+                   .status == Status::ok;
+    });
+    good &= same_leaves(united_stream.source(), both).same;
+    StreamCheckOutcome checked = {};
+    good &= count("check_stream", [&] {
+        checked = stream.check();
+        return checked.status == Status::ok;
+    });
+    united_stream.length = 0;
+    const StreamCheckOutcome other_checked = other_stream.check();
+    good &= count("checked_stream_union", [&] {
+        return combine(stream_combination, Operator::unite, checked.source, other_checked.source,
                        united_stream.sink())
                    .status == Status::ok;
     });

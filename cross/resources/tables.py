@@ -38,6 +38,8 @@ JOB_TEXTS = {
     "write_stream": "write the tree as a stream",
     "read_stream": "read it back",
     "stream_union": "union of two such streams, in one pass",
+    "check_stream": "check one of these streams",
+    "checked_stream_union": "the union, both checked before",
 }
 ONE_BY_ONE = 100  # bytes; functions with less stack share one row
 

@@ -22,6 +22,10 @@ namespace {
 using tests::Bytes;
 using tests::TestSource;
 
+Source source_of(const Bytes& bytes, bool checked = false) {
+    return checked ? vouched_source(bytes.data(), bytes.size()) : memory_source(bytes.data(), bytes.size());
+}
+
 /// Collects bytes and refuses a write.
 struct Collector {
     Bytes bytes;
@@ -142,7 +146,7 @@ void expect_same_point(const Source& source, const Octree& tree, Choices& choice
 
 void expect_accepted(const Bytes& bytes, const StreamHeader& header, const Octree& tree, Choices& choices) {
     EXPECT_TRUE(tests::written(tree, header) == bytes) << "accepted, but the writer writes something else";
-    const Source source = memory_source(bytes.data(), bytes.size());
+    const Source source = source_of(bytes, choices.flag());
     const StreamMeasures measured = measure(source);
     ASSERT_EQ(measured.status, Status::ok);
     const Measures m = measure(tree);
@@ -200,14 +204,16 @@ bool judge(const Bytes& bytes, Choices& choices) {
     const StreamOutcome checked = tests::read_stream(reader, bytes, nullptr, chunk);
     EXPECT_LE(checked.offset, bytes.size());
     EXPECT_EQ(walk(bytes, choices) == Status::ok, checked.built.status == Status::ok);
+    EXPECT_EQ(check_stream(bytes.data(), bytes.size()).status == Status::ok,
+              checked.built.status == Status::ok);
     if (checked.built.status != Status::ok) {
         tests::HeapPool pool(choices.byte());
         const tests::PoolImage before(pool);
         const StreamOutcome refused = tests::read_stream(reader, bytes, &*pool, 1 + choices.below(100));
         EXPECT_NE(refused.built.status, Status::ok);
         EXPECT_TRUE(before.same_nodes(pool));
-        EXPECT_NE(measure(memory_source(bytes.data(), bytes.size())).status, Status::ok);
-        EXPECT_NE(digest(memory_source(bytes.data(), bytes.size())).status, Status::ok);
+        EXPECT_NE(measure(source_of(bytes)).status, Status::ok);
+        EXPECT_NE(digest(source_of(bytes)).status, Status::ok);
         return false;
     }
     const BuiltTree tree = built(choices, [&](NodePool* pool) {
@@ -267,14 +273,14 @@ void expect_combined(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& 
     }
 }
 
-void expect_combined_at_once(std::uint32_t op, const Bytes& a, const Bytes& b) {
+void expect_combined_at_once(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& choices) {
     StreamCombination job;
     Collector collector;
-    const Source source_a = memory_source(a.data(), a.size());
+    const Source source_a = source_of(a, choices.flag());
+    const Source source_b = source_of(b, choices.flag());
     const StreamCombinationOutcome outcome =
         op == 4 ? complement(job, source_a, collector.sink())
-                : combine(job, static_cast<Operator>(op), source_a, memory_source(b.data(), b.size()),
-                          collector.sink());
+                : combine(job, static_cast<Operator>(op), source_a, source_b, collector.sink());
     EXPECT_EQ(outcome.status, Status::ok);
     EXPECT_EQ(collector.bytes.size(), stream_size(outcome.header.nodes));
     EXPECT_TRUE(collector.bytes == expected_bytes(op, a, op == 4 ? a : b));
@@ -287,8 +293,8 @@ void expect_fault(std::uint32_t op, const Bytes& a, const Bytes& b, bool a_is_go
     Collector collector;
     const std::uint32_t budget = choices.budget();
     collector.can_replace = choices.flag();
-    Status status = job.begin(static_cast<Operator>(op), memory_source(a.data(), a.size()),
-                              memory_source(b.data(), b.size()), collector.sink());
+    Status status = job.begin(static_cast<Operator>(op), source_of(a, a_is_good && choices.flag()),
+                              source_of(b, b_is_good && choices.flag()), collector.sink());
     while (status == Status::ok && job.step(budget)) {
     }
     const StreamCombinationOutcome outcome = job.finish();
@@ -312,7 +318,7 @@ void test_booleans(Choices& choices) {
     }
     if (good[0] && (good[1] || op == 4)) {
         if (choices.below(8) == 0) {
-            expect_combined_at_once(op, streams[0], streams[1]);
+            expect_combined_at_once(op, streams[0], streams[1], choices);
         } else {
             expect_combined(op, streams[0], streams[1], choices);
         }
@@ -320,11 +326,9 @@ void test_booleans(Choices& choices) {
         expect_fault(op, streams[0], streams[1], good[0], good[1], choices);
     }
     if (good[0] && good[1]) {
-        const StreamComparison same = same_leaves(memory_source(streams[0].data(), streams[0].size()),
-                                                  memory_source(streams[1].data(), streams[1].size()));
+        const StreamComparison same = same_leaves(source_of(streams[0]), source_of(streams[1]));
         EXPECT_EQ(same.status, Status::ok);
-        EXPECT_EQ(same.same, digest(memory_source(streams[0].data(), streams[0].size())).digest ==
-                                 digest(memory_source(streams[1].data(), streams[1].size())).digest);
+        EXPECT_EQ(same.same, digest(source_of(streams[0])).digest == digest(source_of(streams[1])).digest);
     }
 }
 

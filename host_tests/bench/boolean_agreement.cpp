@@ -34,6 +34,8 @@ Octree agreed_tree(const Pair& pair, Operator op, LeafRule leaves, const std::st
     trees.prepare(op);
     const Octree result = trees.combine_in_pool(op);
     require(trees.combine_streams(op) == stream_of(result), what + ": streams and pool differ");
+    require(trees.combine_checked_streams(op) == stream_of(result),
+            what + ": checked streams and pool differ");
     return result;
 }
 

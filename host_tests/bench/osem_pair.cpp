@@ -77,11 +77,9 @@ Octree OsemPair::combine_in_pool(Operator op) {
     return outcome.tree;
 }
 
-const Bytes& OsemPair::combine_streams(Operator op) {
+const Bytes& OsemPair::combine_streams(Operator op, const Source& a, const Source& b) {
     result_.clear();
-    const StreamCombinationOutcome outcome =
-        combine(*stream_job_, op, memory_source(stream_a_.data(), stream_a_.size()),
-                memory_source(stream_b_.data(), stream_b_.size()), Sink{append, &result_, replace});
+    const StreamCombinationOutcome outcome = combine(*stream_job_, op, a, b, Sink{append, &result_, replace});
     require_ok(outcome.status);
     return result_;
 }

@@ -31,8 +31,16 @@ class OsemPair {
     /// Nodes that the result of the last combination added to the pool.
     std::uint64_t nodes_added() const { return pool_->pool().used() - mark_; }
 
-    /// The result's stream, in memory that is used again.
-    const Bytes& combine_streams(Operator op);
+    /// The result's stream, in memory that is used again; of operands that are checked on the way, or have
+    /// been checked before.
+    const Bytes& combine_streams(Operator op) {
+        return combine_streams(op, memory_source(stream_a_.data(), stream_a_.size()),
+                               memory_source(stream_b_.data(), stream_b_.size()));
+    }
+    const Bytes& combine_checked_streams(Operator op) {
+        return combine_streams(op, vouched_source(stream_a_.data(), stream_a_.size()),
+                               vouched_source(stream_b_.data(), stream_b_.size()));
+    }
 
     std::uint64_t stream_bytes() const { return stream_a_.size() + stream_b_.size(); }
 
@@ -41,6 +49,7 @@ class OsemPair {
 
   private:
     Octree converted(const BenchSolid& solid, const ConvertOptions& options);
+    const Bytes& combine_streams(Operator op, const Source& a, const Source& b);
     void grow(std::uint64_t nodes);
 
     std::unique_ptr<host::HostPool> pool_ = std::make_unique<host::HostPool>(0);

@@ -13,7 +13,7 @@ METHODS = {
     "convert": ["scan-runs", "scan-bits", "osem-centre", "osem-three", "plain-centre",
                 "plain-three", "vdb-fill"],
     "threads": ["threads-1", "threads-2", "threads-4", "threads-8"],
-    "union": ["runs", "osem-pool", "osem-stream", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
+    "union": ["runs", "osem-pool", "osem-stream", "osem-stream-checked", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
               "cgal"],
 }
 METHODS["intersection"] = METHODS["difference"] = METHODS["union"]
@@ -34,7 +34,8 @@ tool does but reading and writing files. What others make is freed while the clo
 operands.
 
 - `osem-centre`, `osem-three`: octrees by grids, centre leaves or three-valued ones; `plain-*`: octant by octant. `osem-pool`,
-  `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB).
+  `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB); `osem-stream-checked`: of
+  streams that were checked before.
 - `scan-runs`, `scan-bits`: the scanline's rows of runs, and a bit a cell of them; `runs`: their Booleans.
 - `vdb-fill`: OpenVDB's meshToVolume and interior mask; `vdb-topology`: Booleans of masks of the exact cells; `vdb-csg`: of level
   sets; `cgal`: corefinement of the meshes.

@@ -14,6 +14,13 @@ namespace osem::tests {
 
 namespace {
 
+constexpr std::uint32_t sample_count = 60;
+
+// The last one is longer than what is looked at in place at a time.
+DenseGrid sample_of(std::uint32_t seed) {
+    return seed + 1 < sample_count ? grid_of(seed) : random_grid(5, seed, three_colours);
+}
+
 Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
 
 // The octants of a grid's tree in preorder, by plain recursion.
@@ -60,27 +67,42 @@ void expect_at(const StreamCursor& cursor, const std::vector<Place>& places, std
     }
 }
 
-TEST(StreamCursor, MeetsEveryOctantInPreorder) {
-    for (std::uint32_t seed = 0; seed < 60; ++seed) {
-        const DenseGrid grid = grid_of(seed);
+// Of the bytes as they come, and of those that were checked before.
+class StreamCursorOf : public testing::TestWithParam<bool> {
+  protected:
+    static Source source_of(const Bytes& bytes) {
+        if (!GetParam()) return memory_source(bytes.data(), bytes.size());
+        const StreamCheckOutcome checked = check_stream(bytes.data(), bytes.size());
+        EXPECT_EQ(checked.status, Status::ok);
+        EXPECT_EQ(checked.offset, bytes.size());
+        return checked.source;
+    }
+};
+
+TEST_P(StreamCursorOf, MeetsEveryOctantInPreorder) {
+    for (std::uint32_t seed = 0; seed < sample_count; ++seed) {
+        const DenseGrid grid = sample_of(seed);
         const Bytes bytes = stream_of(grid);
         const std::vector<Place> places = places_of(grid);
         StreamCursor cursor;
-        ASSERT_EQ(cursor.begin(memory_source(bytes.data(), bytes.size())), Status::ok);
+        ASSERT_EQ(cursor.begin(source_of(bytes)), Status::ok);
         EXPECT_EQ(cursor.header().depth, grid.depth());
         for (std::size_t at = 0; at < places.size(); ++at, cursor.next()) expect_at(cursor, places, at);
         expect_at(cursor, places, places.size());
         EXPECT_EQ(cursor.offset(), bytes.size());
+        std::uint32_t checksum = 0; // the last four bytes
+        for (std::size_t i = 1; i <= 4; ++i) checksum = checksum << 8 | bytes[bytes.size() - i];
+        EXPECT_EQ(cursor.checksum(), checksum);
     }
 }
 
-TEST(StreamCursor, SkipsAndLeafGroupsLeadToTheSamePlaces) {
-    for (std::uint32_t seed = 0; seed < 60; ++seed) {
-        const DenseGrid grid = grid_of(seed);
+TEST_P(StreamCursorOf, SkipsAndLeafGroupsLeadToTheSamePlaces) {
+    for (std::uint32_t seed = 0; seed < sample_count; ++seed) {
+        const DenseGrid grid = sample_of(seed);
         const Bytes bytes = stream_of(grid);
         const std::vector<Place> places = places_of(grid);
         StreamCursor walk;
-        ASSERT_EQ(walk.begin(memory_source(bytes.data(), bytes.size())), Status::ok);
+        ASSERT_EQ(walk.begin(source_of(bytes)), Status::ok);
         for (std::size_t at = 0; at < places.size(); ++at, walk.next()) {
             StreamCursor cursor = walk; // from every octant
             cursor.skip();
@@ -93,6 +115,8 @@ TEST(StreamCursor, SkipsAndLeafGroupsLeadToTheSamePlaces) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, StreamCursorOf, testing::Bool());
 
 TEST(StreamCursor, ASourceMayFailAtEveryRead) {
     const Bytes bytes = stream_of(random_grid(4, 3, three_colours));
@@ -135,6 +159,9 @@ void expect_like_reader(const Bytes& bytes, const std::string& what) {
         EXPECT_EQ(cursor.status(), expected.built.status) << what << ": " << describe(cursor.status());
         EXPECT_EQ(cursor.offset(), expected.offset) << what;
     }
+    const StreamCheckOutcome checked = check_stream(bytes.data(), bytes.size());
+    EXPECT_EQ(checked.status, expected.built.status) << what;
+    EXPECT_EQ(checked.offset, expected.offset) << what;
 }
 
 TEST(StreamCursor, DamageIsFoundAsByTheReader) {

@@ -92,7 +92,9 @@ bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
     return true;
 }
 
-Source source_of(const Bytes& bytes) { return memory_source(bytes.data(), bytes.size()); }
+Source source_of(const Bytes& bytes, bool checked = false) {
+    return checked ? vouched_source(bytes.data(), bytes.size()) : memory_source(bytes.data(), bytes.size());
+}
 
 TEST(StreamSubtree, UnevenTreesByEveryOperator) {
     StreamCombination job;
@@ -105,15 +107,22 @@ TEST(StreamSubtree, UnevenTreesByEveryOperator) {
         read += bytes_a.size() + bytes_b.size();
         const int depth = std::max(a.depth, b.depth);
         for (const Operator op : all_operators) {
-            Bytes result;
-            ASSERT_EQ(combine(job, op, source_of(bytes_a), source_of(bytes_b), Sink{append, &result}).status,
-                      Status::ok);
-            ASSERT_EQ(result, (Sample{combined(op, a.part, b.part), depth}.bytes())) << seed;
+            const Bytes expected = Sample{combined(op, a.part, b.part), depth}.bytes();
+            for (const unsigned checked : {0U, 1U, 2U, 3U}) { // neither, either, both
+                Bytes result;
+                const Source source_a = source_of(bytes_a, checked % 2 != 0);
+                const Source source_b = source_of(bytes_b, checked / 2 != 0);
+                ASSERT_EQ(combine(job, op, source_a, source_b, Sink{append, &result}).status, Status::ok);
+                ASSERT_EQ(result, expected) << seed << ", checked " << checked;
+            }
         }
-        Bytes result;
-        ASSERT_EQ(complement(job, source_of(bytes_a), Sink{append, &result}).status, Status::ok);
         const Part black = {Colour::black, {}};
-        ASSERT_EQ(result, (Sample{combined(Operator::exclusive_or, a.part, black), a.depth}.bytes())) << seed;
+        const Bytes expected = Sample{combined(Operator::exclusive_or, a.part, black), a.depth}.bytes();
+        for (const bool checked : {false, true}) {
+            Bytes result;
+            ASSERT_EQ(complement(job, source_of(bytes_a, checked), Sink{append, &result}).status, Status::ok);
+            ASSERT_EQ(result, expected) << seed << ", checked " << checked;
+        }
     }
     EXPECT_GT(read, 100000U) << "the samples are hardly more than leaves";
 }
@@ -127,14 +136,20 @@ TEST(StreamSubtree, EveryLeafBesideATree) {
             const Sample leaf = {{colour, {}}, 1};
             const Bytes leaf_bytes = leaf.bytes();
             for (const Operator op : all_operators) {
-                Bytes left;
-                Bytes right;
-                const Source tree = source_of(bytes);
-                const Source one = source_of(leaf_bytes);
-                ASSERT_EQ(combine(job, op, tree, one, Sink{append, &left}).status, Status::ok);
-                ASSERT_EQ(combine(job, op, one, tree, Sink{append, &right}).status, Status::ok);
-                EXPECT_EQ(left, (Sample{combined(op, sample.part, leaf.part), sample.depth}.bytes()));
-                EXPECT_EQ(right, (Sample{combined(op, leaf.part, sample.part), sample.depth}.bytes()));
+                const Bytes expected_left =
+                    Sample{combined(op, sample.part, leaf.part), sample.depth}.bytes();
+                const Bytes expected_right =
+                    Sample{combined(op, leaf.part, sample.part), sample.depth}.bytes();
+                for (const bool checked : {false, true}) {
+                    Bytes left;
+                    Bytes right;
+                    const Source tree = source_of(bytes, checked);
+                    const Source one = source_of(leaf_bytes, checked);
+                    ASSERT_EQ(combine(job, op, tree, one, Sink{append, &left}).status, Status::ok);
+                    ASSERT_EQ(combine(job, op, one, tree, Sink{append, &right}).status, Status::ok);
+                    EXPECT_EQ(left, expected_left);
+                    EXPECT_EQ(right, expected_right);
+                }
             }
         }
     }
@@ -159,6 +174,23 @@ std::vector<std::uint64_t> volumes_before(const std::vector<Colour>& colours) {
     return volumes;
 }
 
+// Steps of so many octants, one after the other: the progress is that of an octant's beginning, and grows.
+void expect_exact_progress(StreamCombination& job, std::uint32_t octants,
+                           const std::vector<std::uint64_t>& volumes, std::size_t most_octants) {
+    std::uint64_t decided = 0;
+    std::size_t steps = 0;
+    for (; job.step(octants); ++steps) {
+        const std::uint64_t now = job.decided_volume();
+        ASSERT_GE(now, decided);
+        ASSERT_LE(now, root_volume);
+        decided = now;
+        const std::uint64_t in_pass = (2 * now) % root_volume; // halves of a cell are cut off
+        const auto at = std::lower_bound(volumes.begin(), volumes.end(), in_pass);
+        ASSERT_TRUE(at != volumes.end() && *at <= in_pass + 1) << steps;
+    }
+    EXPECT_LE(steps * std::size_t{octants}, most_octants + std::size_t{2} * octants);
+}
+
 TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
     StreamCombination job;
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
@@ -172,26 +204,18 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
         std::sort(volumes.begin(), volumes.end());
         const Operator op = all_operators[seed % 4];
         const Bytes expected = Sample{combined(op, a.part, b.part), std::max(a.depth, b.depth)}.bytes();
-        for (const std::uint32_t octants : {1U, 2U, 3U, 7U}) {
-            Bytes result;
-            ASSERT_EQ(job.begin(op, source_of(bytes_a), source_of(bytes_b), Sink{append, &result}),
-                      Status::ok);
-            std::uint64_t decided = 0;
-            std::size_t steps = 0;
-            for (; job.step(octants); ++steps) {
-                const std::uint64_t now = job.decided_volume();
-                ASSERT_GE(now, decided);
-                ASSERT_LE(now, root_volume);
-                decided = now;
-                const std::uint64_t in_pass = (2 * now) % root_volume; // halves of a cell are cut off
-                const auto at = std::lower_bound(volumes.begin(), volumes.end(), in_pass);
-                ASSERT_TRUE(at != volumes.end() && *at <= in_pass + 1) << seed << ", " << steps;
+        const std::size_t most_octants = 2 * (colours_of(a.part).size() + colours_of(b.part).size());
+        for (const std::uint32_t octants : {1U, 2U, 3U, 7U, 40U}) {
+            for (const bool checked : {false, true}) {
+                Bytes result;
+                ASSERT_EQ(job.begin(op, source_of(bytes_a, checked), source_of(bytes_b, checked),
+                                    Sink{append, &result}),
+                          Status::ok);
+                expect_exact_progress(job, octants, volumes, most_octants);
+                EXPECT_EQ(job.finish().status, Status::ok);
+                EXPECT_EQ(job.decided_volume(), root_volume);
+                EXPECT_EQ(result, expected) << seed << ", checked " << checked;
             }
-            EXPECT_LE(steps * std::size_t{octants},
-                      2 * (colours_of(a.part).size() + colours_of(b.part).size()) + std::size_t{2} * octants);
-            EXPECT_EQ(job.finish().status, Status::ok);
-            EXPECT_EQ(job.decided_volume(), root_volume);
-            EXPECT_EQ(result, expected);
         }
     }
 }

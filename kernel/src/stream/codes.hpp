@@ -30,6 +30,10 @@ using Codes = std::conditional_t<sizeof(void*) == 8, std::uint64_t, std::uint32_
 /// Bytes that codes_at reads.
 constexpr unsigned codes_size = sizeof(Codes);
 
+/// Codes that are in the buffer of a stream behind each at which one may go on: seven leaves, a grey octant
+/// and its children.
+constexpr unsigned codes_ahead = 16;
+
 /// The codes from a bit on, the first one lowest; at most three are missing of what Codes could hold.
 inline Codes codes_at(const std::uint8_t* bytes, unsigned bit) {
     bytes += bit / 8;
@@ -76,6 +80,47 @@ constexpr unsigned leaf_bits(Codes greys, unsigned left) {
 /// Whether none of the next eight codes is grey, and whether they are eight times the same.
 constexpr bool eight_leaves(Codes greys) { return (greys & 0xffffU) == 0; }
 constexpr bool eight_alike(Codes codes) { return ((codes ^ (codes & 3U) * 0x5555U) & 0xffffU) == 0; }
+
+/// Groups of eight codes in a row, as many as Codes holds, side by side in sixteen bits each.
+class CodeGroups {
+  public:
+    static constexpr unsigned count = codes_size / 2;
+
+    /// From a code on. Reads a byte more than Codes has.
+    CodeGroups(const std::uint8_t* bytes, unsigned at) {
+        constexpr auto twos = static_cast<Codes>(0x3333333333333333U);
+        constexpr auto fours = static_cast<Codes>(0x0f0f0f0f0f0f0f0fU);
+        constexpr auto eights = static_cast<Codes>(0x00ff00ff00ff00ffU);
+        const unsigned bit = 2 * at;
+        const Codes last = bytes[bit / 8 + codes_size];
+        Codes found = grey_codes(codes_at(bytes, bit) | last << (8 * codes_size - 8) << (8 - bit % 8));
+        found = (found & twos) + (found >> 2 & twos);
+        found = (found + (found >> 4)) & fours;
+        found = (found + (found >> 8)) & eights;
+        greys_ = found * ones;
+    }
+
+    /// How many of these groups end what so many are to come of, each grey code one more: all, if they do
+    /// not. Precondition: to_come is in [1, 2^14].
+    unsigned to_end(std::uint32_t to_come) const {
+        const Codes left = greys_ + ones * to_come - static_cast<Codes>(0x0004000300020001U);
+        Codes ends = (left - ones) & ~left & ones << 15;
+        if (ends == 0) return count;
+        unsigned end = 1;
+        for (ends >>= 15; (ends & 1U) == 0; ends >>= 16) ++end;
+        return end;
+    }
+
+    /// Grey codes of the first `groups`, at least one.
+    unsigned greys(unsigned groups) const {
+        return static_cast<unsigned>(greys_ >> (16 * (groups - 1)) & 0xffffU);
+    }
+
+  private:
+    static constexpr auto ones = static_cast<Codes>(0x0001000100010001U);
+
+    Codes greys_; ///< of the first group, of the first two, and so on
+};
 
 /// Codes of the complement, as many as there are: `may` is the even bits, `must` the odd ones, those of a
 /// complement are (~must, ~may), and grey stays grey.

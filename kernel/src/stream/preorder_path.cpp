@@ -15,6 +15,7 @@ constexpr unsigned window_bits = 64 - 6; // of a wide register: what is there wh
 void PreorderPath::begin(int depth, std::uint32_t nodes) {
     nodes_left_ = nodes;
     depth_ = static_cast<std::uint8_t>(depth);
+    to_come_ = 0;
     level_ = 0;
     alike_ = false;
     left_[0] = 1;
@@ -113,6 +114,29 @@ Status PreorderPath::take_buffered(const std::uint8_t* bytes, unsigned& at, unsi
     if (bit >= end || (nodes != 0 && level < depth)) return Status::ok;
     at += leaf_bits(greys, left) / 2 + 1; // a grey octant that may not be
     return level == depth ? Status::stream_too_deep : Status::stream_count_mismatch;
+}
+
+// The same below the octant just entered, where all is known to be well formed: then it is enough to follow
+// how many octants' children are to come, eight codes each, whatever their levels; each grey code is one
+// more. So such groups of codes are taken side by side, and the subtree's end can only be behind one of them.
+Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit,
+                                  std::uint32_t most) {
+    std::uint32_t to_come = to_come_ != 0 ? to_come_ : 1;
+    std::uint32_t nodes = 0;
+    while (to_come != 0 && nodes < most && at < limit) {
+        const CodeGroups groups(bytes, at);
+        const unsigned taken = groups.to_end(to_come);
+        const unsigned greys = groups.greys(taken);
+        at += 8 * taken;
+        nodes += greys;
+        to_come += greys - taken;
+    }
+    nodes_left_ -= nodes;
+    to_come_ = to_come;
+    if (to_come != 0) return Status::ok;
+    --level_;
+    alike_ = false;
+    return ascend();
 }
 
 // The octant of a level whose code is the last one taken of that level.

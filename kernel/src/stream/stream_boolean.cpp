@@ -153,7 +153,7 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
         advance(false);
     }
     if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
-    return passage.nodes;
+    return passage.nodes < most ? passage.nodes : most;
 }
 
 // Goes on in both, or below a leaf of the held one; behind the children of grey octants, if these are known
