@@ -74,29 +74,11 @@ class FaceInGrid::Slabs {
     std::uint32_t* ends_[2];
 };
 
-// A convex face has inner points in an open slab wherever it has any; what it is seen to meet of a slab is in
-// a row, from where its left edges in the slab reach least to where its right ones reach most. Seen as a line
-// its edges are both.
-void FaceInGrid::see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const {
-    if (range.is_within(u) || range.is_within(v)) return slabs.fill(range[v], range[u]);
-    slabs.fill(range[v], {grid_.side() + 1, -1});
-    const int axis = axis_x + axis_y + axis_z - u - v;
-    const int turn = plane.normal(axis).sign() * (axis == axis_y ? -1 : 1); // (x, z) is left-handed
-    const Point* a = &solid_.vertices[end_[-1]];
-    for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {
-        const Point* b = &solid_.vertices[*corner];
-        const SeenEdge edge(*a, *b, u, v);
-        a = b;
-        const bool is_right = edge.rises == (turn > 0);
-        add_edge(u, v, edge, is_right, slabs);
-        if (turn == 0) add_edge(u, v, edge, !is_right, slabs);
-    }
-}
-
 // In each slab a left edge reaches least where the slab's lower line cuts it, or its upper line, as the edge
 // leans; or at its end. What is on a line from the left does not reach into the square behind it: so of right
 // edges the squares are those of what is just before.
-void FaceInGrid::add_edge(int u, int v, const SeenEdge& edge, bool right, Slabs& slabs) const {
+[[gnu::always_inline]] inline void FaceInGrid::add_edge(int u, int v, const SeenEdge& edge, bool right,
+                                                        Slabs& slabs) const {
     const int side = grid_.side();
     const std::int32_t first_u = grid_.corner.at[u];
     const std::int32_t first_v = grid_.corner.at[v];
@@ -117,6 +99,29 @@ void FaceInGrid::add_edge(int u, int v, const SeenEdge& edge, bool right, Slabs&
     const int guess = clipped((edge.u - first_u) >> grid_.shift, -1, side);
     EdgeStair square({edge.rise(), edge.run()}, scaled(value, grid_.shift) + line * edge.run(), side, guess);
     for (; line <= high; ++line, square.next()) reach(line, square.floor());
+}
+
+// A convex face has inner points in an open slab wherever it has any; what it is seen to meet of a slab is in
+// a row, from where its left edges in the slab reach least to where its right ones reach most. Seen as a line
+// its edges are both.
+void FaceInGrid::see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const {
+    if (range.is_within(u) || range.is_within(v)) return slabs.fill(range[v], range[u]);
+    slabs.fill(range[v], {grid_.side() + 1, -1});
+    const int axis = axis_x + axis_y + axis_z - u - v;
+    const int turn = plane.normal(axis).sign() * (axis == axis_y ? -1 : 1); // (x, z) is left-handed
+    if (turn >= 0) add_edges(u, v, true, slabs);
+    if (turn <= 0) add_edges(u, v, false, slabs);
+}
+
+// Edges that rise are right ones, or those that fall.
+void FaceInGrid::add_edges(int u, int v, bool rising_right, Slabs& slabs) const {
+    const Point* a = &solid_.vertices[end_[-1]];
+    for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {
+        const Point* b = &solid_.vertices[*corner];
+        const SeenEdge edge(*a, *b, u, v);
+        a = b;
+        add_edge(u, v, edge, edge.rises == rising_right, slabs);
+    }
 }
 
 namespace {
