@@ -6,7 +6,6 @@
 #include "commands/estimate.hpp"
 #include "commands/stopwatch.hpp"
 #include "mesh/bad_input.hpp"
-#include "osem/bintree.hpp"
 #include "osem/fit.hpp"
 #include "osem/grid_convert.hpp"
 
@@ -18,27 +17,18 @@ using Words = std::vector<std::uint32_t>;
 
 std::uint32_t size_of(const Words& words) { return static_cast<std::uint32_t>(words.size()); }
 
-const TreeOutcome& built(const TreeOutcome& outcome) { return outcome; }
-const TreeOutcome& built(const LabellingOutcome& outcome) { return outcome.built; }
-
-// Runs a pass in a pool that is mostly large enough. If it is not, the pass has counted the nodes all the
-// same, and another one has exactly the memory it needs.
+// Runs a pass in a pool that is mostly large enough, or another one.
 template <class Run>
 auto build(Converted& made, const CheckedSolid& solid, int depth, Run run) {
-    const auto timed = [&made, &run](std::unique_ptr<HostPool> pool) {
-        made.pool = std::move(pool);
+    made.pool = roomy_pool(estimate(solid.view(), depth).nodes());
+    const auto outcome = run_with_room(made.pool, [&made, &run](NodePool& pool) {
         const Stopwatch watch;
-        auto outcome = run(made.pool->pool());
+        auto found = run(pool);
         made.seconds = watch.seconds();
-        return outcome;
-    };
-    auto outcome = timed(roomy_pool(estimate(solid.view(), depth).nodes()));
-    if (built(outcome).status == Status::pool_exhausted) {
-        made.pool.reset();
-        outcome = timed(std::make_unique<HostPool>(built(outcome).nodes_needed));
-    }
-    require_converted(built(outcome).status);
-    made.tree = built(outcome).tree;
+        return found;
+    });
+    require_converted(tree_of(outcome).status);
+    made.tree = tree_of(outcome).tree;
     return outcome;
 }
 

@@ -11,6 +11,7 @@
 
 #include "console/progress.hpp"
 #include "files/host_pool.hpp"
+#include "osem/bintree.hpp"
 #include "osem/convert.hpp"
 
 namespace osem::host {
@@ -35,6 +36,22 @@ std::size_t grid_words(const Solid& solid, int depth);
 /// A pool with room for so many nodes, or as many as a pool can hold; with none if there is not so much
 /// memory. Only the room that is used takes memory.
 std::unique_ptr<HostPool> roomy_pool(std::uint64_t nodes);
+
+inline const TreeOutcome& tree_of(const TreeOutcome& outcome) { return outcome; }
+inline const TreeOutcome& tree_of(const LabellingOutcome& outcome) { return outcome.built; }
+
+/// Runs a pass in a pool that is mostly large enough. If it is not, the pass has counted the nodes all the
+/// same, and another one has exactly the room it needs, in a pool that takes the first one's place.
+template <class PoolPointer, class Run>
+auto run_with_room(PoolPointer& pool, Run run) {
+    auto outcome = run(pool->pool());
+    if (tree_of(outcome).status == Status::pool_exhausted) {
+        pool = nullptr;
+        pool = std::make_unique<HostPool>(tree_of(outcome).nodes_needed);
+        outcome = run(pool->pool());
+    }
+    return outcome;
+}
 
 /// Grids of octants.
 Converted convert_by_grids(const CheckedSolid& solid, const ConvertOptions& options, Progress& progress);

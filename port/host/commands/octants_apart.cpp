@@ -69,17 +69,13 @@ class Crew {
         }
     }
 
-    // Where there is no room in the pool, again in one that has it.
     void convert(GridConversion& job, std::vector<std::uint32_t>& scratch, unsigned child,
                  std::shared_ptr<HostPool> pool, Progress* progress) {
         Part& part = parts_[child];
-        part.first = static_cast<NodeIndex>(pool->pool().used());
-        TreeOutcome outcome = run(job, scratch, child, pool->pool(), progress);
-        if (outcome.status == Status::pool_exhausted) {
-            pool = std::make_shared<HostPool>(outcome.nodes_needed);
-            part.first = 0;
-            outcome = run(job, scratch, child, pool->pool(), progress);
-        }
+        const TreeOutcome outcome = run_with_room(pool, [&](NodePool& nodes) {
+            part.first = static_cast<NodeIndex>(nodes.used());
+            return run(job, scratch, child, nodes, progress);
+        });
         require_converted(outcome.status);
         part.pool = std::move(pool);
         part.tree = outcome.tree;
