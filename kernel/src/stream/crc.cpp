@@ -61,7 +61,8 @@ constexpr Table make_table() {
 
 constexpr Table table = make_table();
 
-std::uint32_t of_byte(std::uint32_t remainder) {
+// In line: a compiler that optimises for size calls it for each byte, which takes a third longer.
+[[gnu::always_inline]] inline std::uint32_t of_byte(std::uint32_t remainder) {
     remainder = (remainder >> 4) ^ table.entries[remainder & 15U];
     return (remainder >> 4) ^ table.entries[remainder & 15U];
 }
