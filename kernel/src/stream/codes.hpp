@@ -34,8 +34,9 @@ constexpr unsigned codes_size = sizeof(Codes);
 /// and its children.
 constexpr unsigned codes_ahead = 16;
 
-/// The codes from a bit on, the first one lowest; at most three are missing of what Codes could hold.
-inline Codes codes_at(const std::uint8_t* bytes, unsigned bit) {
+/// The codes from a bit on, the first one lowest; at most three are missing of what Codes could hold. A
+/// call would take longer, and as much room.
+[[gnu::always_inline]] inline Codes codes_at(const std::uint8_t* bytes, unsigned bit) {
     bytes += bit / 8;
     Codes codes = word_at(bytes);
     if constexpr (codes_size == 8) codes |= static_cast<Codes>(word_at(bytes + 4)) << (codes_size * 4);

@@ -32,6 +32,15 @@ constexpr std::uint32_t three_codes = 0b111111;
 
 } // namespace
 
+// In line, as codes_of is: an octant where both operands are divided goes through each of them twice, and
+// calls would be a tenth of its instructions.
+[[gnu::always_inline]] inline bool StreamCombination::check(const StreamCursor& cursor,
+                                                            std::uint8_t operand) {
+    if (cursor.status() == Status::ok) return true;
+    fail(cursor.status(), operand, cursor.offset());
+    return false;
+}
+
 Status StreamCombination::begin(Operator op, const Source& a, const Source& b, const Sink& sink) {
     return start(op, a, &b, sink);
 }
@@ -73,12 +82,6 @@ void StreamCombination::fail(Status status, std::uint8_t operand, std::uint64_t 
     phase_ = Phase::done;
 }
 
-bool StreamCombination::check(const StreamCursor& cursor, std::uint8_t operand) {
-    if (cursor.status() == Status::ok) return true;
-    fail(cursor.status(), operand, cursor.offset());
-    return false;
-}
-
 bool StreamCombination::step(std::uint32_t octants) {
     while (phase_ == Phase::counting || phase_ == Phase::writing) {
         if (octants == 0) return true;
@@ -93,7 +96,8 @@ bool StreamCombination::step(std::uint32_t octants) {
 }
 
 // The codes of the eight children, where they are known to be leaves: those of a leaf are its own.
-std::uint16_t StreamCombination::codes_of(const StreamCursor& cursor, bool& known) const {
+[[gnu::always_inline]] inline std::uint16_t StreamCombination::codes_of(const StreamCursor& cursor,
+                                                                        bool& known) const {
     std::uint16_t codes = 0;
     if (unary_ && &cursor == &b_) return 0xffffU;
     if (cursor.colour() != Colour::grey) {

@@ -88,9 +88,8 @@ void StreamCursor::fail(Status status, std::uint64_t offset) {
     done_ = true;
 }
 
-// Sees to it that the codes of a look ahead, or all that are left, are in the buffer.
+// Sees to it that the codes of a look ahead, or all that are left, are in the buffer. Needed from limit_ on.
 bool StreamCursor::load() {
-    if (at_ < limit_) return true;
     const std::uint64_t end = source_.size - stream_trailer_size;
     source_.checked != nullptr ? load_checked(end) : load_next(end);
     if (done_) return false; // the source has failed
@@ -134,7 +133,7 @@ void StreamCursor::load_checked(std::uint64_t end) {
 // Takes the next octant's code. While the path is not whole there is one: as many grey octants as the header
 // says have eight codes each in the payload, and more are refused.
 void StreamCursor::arrive() {
-    if (!load()) return;
+    if (at_ >= limit_ && !load()) return;
     colour_ = static_cast<Colour>(std::uint32_t{bytes()[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
     level_ = static_cast<std::uint8_t>(path_.level());
     ++at_;
@@ -166,7 +165,7 @@ void StreamCursor::next_or_leaves() {
 // or to the end of that octant in any case. Precondition: it is open.
 StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
     Passage passage = {buffer_, 0, 0, 0};
-    if (!load()) return passage;
+    if (at_ >= limit_ && !load()) return passage;
     passage.bytes = bytes();
     passage.at = at_;
     passage.nodes = path_.nodes_left_;
