@@ -54,6 +54,7 @@ class StreamBuilder {
     friend class StreamCombination;
     friend Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 
+    bool put_canonical(std::uint32_t codes, unsigned count);
     void begin_copy();
     void copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes, bool inverted);
     void end_copy();

@@ -10,21 +10,15 @@ namespace osem {
 
 Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink) {
     header.depth = tree.depth;
-    header.nodes = 0;
-    const auto count = [&header](std::uint32_t codes, unsigned) {
-        if (grey_codes(codes) != 0) ++header.nodes; // a run has one grey octant at most, its last
-        return true;
-    };
-    if (sink.replace == nullptr) each_run_of_codes(tree, count);
     StreamBuilder builder;
-    builder.begin(header, sink);
-    const auto put = [&builder](std::uint32_t codes, unsigned some) {
-        if (grey_codes(codes) != 0) ++builder.nodes_;
-        builder.put(codes, some);
-        return builder.taken();
+    const auto put = [&builder](std::uint32_t codes, unsigned count) {
+        return builder.put_canonical(codes, count);
     };
+    builder.begin();
+    if (sink.replace == nullptr) each_run_of_codes(tree, put);
+    header.nodes = static_cast<std::uint32_t>(builder.nodes());
+    builder.begin(header, sink);
     if (!builder.taken() || !each_run_of_codes(tree, put)) return Status::sink_refused;
-    builder.whole_ = true; // the tree is canonical, so its codes are as they should be
     return builder.finish();
 }
 

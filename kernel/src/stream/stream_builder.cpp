@@ -124,6 +124,15 @@ void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count,
     put_part(codes_of(bytes, at, inverted), count);
 }
 
+// The next codes of a canonical tree that is told by its codes alone: of one grey octant at most. Returns
+// whether the sink has taken everything so far.
+bool StreamBuilder::put_canonical(std::uint32_t codes, unsigned count) {
+    if (grey_codes(codes) != 0) ++nodes_;
+    put(codes, count);
+    whole_ = true; // as far as it can tell
+    return taken_;
+}
+
 void StreamBuilder::end_copy() {
     if (level_ > 0) ++children_[level_ - 1];
     close_full();

@@ -2,6 +2,7 @@
 
 #include "osem/stream_cursor.hpp"
 #include "stream/code_runs.hpp"
+#include "stream/codes.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -60,21 +61,25 @@ void add_leaf(Measures& m, Colour colour, std::uint64_t cells) {
     }
 }
 
-// The masks of the octant's children; their codes if they are all leaves, else by a look ahead. A fault ends
-// the walk: a source may refuse the look ahead and answer afterwards.
+// The masks of the octant's children; of their codes if they are all leaves, else by a look ahead. A fault
+// ends the walk: a source may refuse the look ahead and answer afterwards.
 Node masks_at(StreamCursor& cursor) {
     Node node = Node::uniform(Colour::white);
     if (cursor.colour() != Colour::grey) return Node::uniform(cursor.colour());
     std::uint16_t codes = 0;
-    const bool leaves = cursor.leaf_children(codes);
+    if (cursor.leaf_children(codes)) {
+        node.may = may_of(codes);
+        node.must = must_of(codes);
+        return node;
+    }
     StreamCursor ahead = cursor;
-    for (unsigned k = 0; k < 8; ++k, codes = static_cast<std::uint16_t>(codes >> 2)) {
-        if (!leaves) k == 0 ? ahead.next() : ahead.skip();
+    for (unsigned k = 0; k < 8; ++k) {
+        k == 0 ? ahead.next() : ahead.skip();
         if (ahead.done()) {
             cursor = ahead;
             break;
         }
-        assign_colour(node.may, node.must, k, leaves ? static_cast<Colour>(codes & 3U) : ahead.colour());
+        assign_colour(node.may, node.must, k, ahead.colour());
     }
     return node;
 }
