@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 
+#include "osem/stream_cursor.hpp"
 #include "osem/stream_query.hpp"
 #include "support/byte_stream.hpp"
 #include "support/stream_source.hpp"
@@ -282,6 +283,113 @@ TEST(StreamSubtree, EightEqualLeavesInAnyPlace) {
         std::vector<Colour> equal(9, colour);
         equal[0] = Colour::grey;
         for (const Operator op : all_operators) expect_like_reader(job, op, StreamModel(1, equal), "root");
+    }
+}
+
+// An octant of `levels` levels with at least one grey octant at each but the last, and at the two above that
+// any number of grey children in any places.
+Part bushy_part(int levels, const std::vector<Colour>& palette, std::mt19937& random) {
+    std::vector<Part> children;
+    const std::size_t greys = random() % 9;
+    const std::size_t chosen = random() % 8;
+    for (std::size_t k = 0; k < 8; ++k) {
+        const bool grey = levels > 2 ? random() % 8 < 3 || k == chosen : (k * 5 + chosen) % 8 < greys;
+        children.push_back(levels > 1 && grey ? bushy_part(levels - 1, palette, random)
+                                              : Part{palette[random() % palette.size()], {}});
+    }
+    Part part = joined(std::move(children));
+    return part.colour == Colour::grey ? part : bushy_part(levels, palette, random);
+}
+
+// Skipping the root and what the reader finds octant by octant.
+void expect_skip_like_reader(StreamReader& reader, const StreamModel& model, const std::string& what) {
+    const Bytes bytes = model.bytes();
+    const StreamOutcome expected = read_stream(reader, bytes, nullptr);
+    StreamCursor cursor;
+    if (cursor.begin(source_of(bytes)) == Status::ok) cursor.skip();
+    ASSERT_TRUE(cursor.done()) << what;
+    ASSERT_EQ(cursor.status(), expected.built.status) << what;
+    ASSERT_EQ(cursor.offset(), expected.offset) << what;
+}
+
+// As deep as the header says, less deep, and deeper; with every code changed into each other one, and the
+// eight behind it into equal ones.
+TEST(StreamSubtree, DeepestLevelsAreCheckedAsByTheReader) {
+    StreamReader reader;
+    std::mt19937 random(9);
+    for (int round = 0; round < 8; ++round) {
+        const int depth = 2 + round % 4;
+        const std::vector<Colour> colours =
+            colours_of(bushy_part(depth, round % 2 == 0 ? two_colours : three_colours, random));
+        for (const int stated : {depth - 1, depth, depth + 1, depth + 2}) {
+            const StreamModel whole(stated, colours);
+            expect_skip_like_reader(reader, whole, "depth " + std::to_string(stated));
+            for (std::size_t at = 0; at < colours.size(); ++at) {
+                for (unsigned change = 1; change < 4; ++change) {
+                    StreamModel model = whole;
+                    const unsigned changed = model.payload[at / 4] ^ change << (2 * (at % 4));
+                    model.payload[at / 4] = static_cast<std::uint8_t>(changed);
+                    expect_skip_like_reader(reader, model,
+                                            "depth " + std::to_string(stated) + ", octant " +
+                                                std::to_string(at) + ", change " + std::to_string(change));
+                }
+                for (std::size_t k = 0; k < 3 && at + 8 < colours.size(); ++k) {
+                    std::vector<Colour> changed = colours;
+                    std::fill_n(changed.begin() + static_cast<std::ptrdiff_t>(at) + 1, 8, three_colours[k]);
+                    StreamModel model(stated, changed);
+                    model.nodes = whole.nodes;
+                    expect_skip_like_reader(reader, model, "equal ones behind " + std::to_string(at));
+                }
+            }
+        }
+    }
+}
+
+TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
+    std::mt19937 random(11);
+    StreamCombination job;
+    for (int round = 0; round < 8; ++round) {
+        const Part part = bushy_part(4, two_colours, random);
+        const Bytes bytes = Sample{part, 4}.bytes();
+        const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
+        const std::vector<Colour> colours = colours_of(part);
+        const auto nodes = static_cast<std::size_t>(std::count(colours.begin(), colours.end(), Colour::grey));
+        for (const std::uint32_t octants : {1U, 2U, 3U, 7U}) {
+            Bytes result;
+            ASSERT_EQ(job.begin(Operator::unite, source_of(bytes), source_of(leaf), Sink{append, &result}),
+                      Status::ok);
+            std::size_t steps = 1;
+            while (job.step(octants)) ++steps;
+            EXPECT_GE(steps * octants, 2 * nodes);
+            EXPECT_EQ(result, bytes);
+        }
+    }
+}
+
+// From every octant, so from every place in a byte and in a buffer.
+TEST(StreamSubtree, SkippingLeadsBehindTheSubtree) {
+    std::mt19937 random(10);
+    for (int round = 0; round < 12; ++round) {
+        const int depth = 2 + round % 4;
+        const Bytes bytes = Sample{bushy_part(depth, three_colours, random), depth}.bytes();
+        std::vector<StreamCursor> places(1);
+        for (places[0].begin(source_of(bytes)); !places.back().done();) {
+            places.push_back(places.back());
+            places.back().next();
+        }
+        ASSERT_EQ(places.back().status(), Status::ok);
+        for (std::size_t at = 0; at + 1 < places.size(); ++at) {
+            std::size_t behind = at + 1;
+            while (!places[behind].done() && places[behind].level() > places[at].level()) ++behind;
+            StreamCursor cursor = places[at];
+            cursor.skip();
+            ASSERT_EQ(cursor.done(), places[behind].done()) << at;
+            ASSERT_EQ(cursor.status(), Status::ok) << at;
+            ASSERT_EQ(cursor.offset(), places[behind].offset()) << at;
+            if (cursor.done()) continue;
+            ASSERT_EQ(cursor.level(), places[behind].level()) << at;
+            ASSERT_EQ(cursor.octant().corner, places[behind].octant().corner) << at;
+        }
     }
 }
 
