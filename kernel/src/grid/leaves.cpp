@@ -123,12 +123,11 @@ std::uint8_t GridLeaves::set_uniform(std::uint32_t leaf, int height, TreeBuilder
     const std::uint32_t* states = scratch;
     std::uint32_t rows = std::uint32_t{1} << (levels - 2);
     for (int below = 1; below < height; ++below, rows /= 2) states += std::size_t{rows} * rows;
-    const std::uint32_t lowest_bits = (std::uint32_t{1} << levels) - 1;
-    const int size = height + 1; // of the children, as levels
-    const std::uint32_t j = (leaf >> levels & lowest_bits) >> size;
-    const std::uint32_t k = leaf >> (2 * levels) >> size;
-    const std::uint32_t* const row = states + j + std::size_t{rows} * k;
-    const unsigned x = 4 * ((leaf & lowest_bits) >> size);
+    const auto place = [this, leaf, height](int axis) { // of the first child, among those of its size
+        return (leaf >> (axis * levels) & ((1U << levels) - 1U)) >> (height + 1);
+    };
+    const std::uint32_t* const row = states + place(axis_y) + std::size_t{rows} * place(axis_z);
+    const unsigned x = 4 * place(axis_x);
     const std::uint32_t children = (row[0] >> x & 255U) | (row[1] >> x & 255U) << 8 |
                                    (row[rows] >> x & 255U) << 16 | (row[rows + 1] >> x & 255U) << 24;
     const std::uint8_t black = lowest_of_states(children >> 1);
