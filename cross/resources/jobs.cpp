@@ -56,7 +56,7 @@ struct StreamMemory {
 
     Sink sink() { return Sink{write, this, replace}; }
     Source source() const { return memory_source(bytes, length); }
-    StreamCheckOutcome check() const { return check_stream(bytes, length); }
+    StreamCheckOutcome check() const { return check_stream(source()); }
 
   private:
     static bool write(void* context, const std::uint8_t* from, std::size_t count) {

@@ -8,7 +8,7 @@ from public_functions import declared, readable_names
 # Functions that call through a pointer, and whose stack comes on top.
 CALLS_BACK = {
     "write_stream": "the sink's",
-    "check_stream": "its own source's",
+    "check_stream": "the source's",
     "Boundary::step": "the sink's",
     "boundary_solid": "its own sink's",
     "StreamCursor::begin": "the source's",

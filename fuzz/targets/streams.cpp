@@ -20,11 +20,8 @@ namespace osem::fuzz {
 namespace {
 
 using tests::Bytes;
+using tests::source_of;
 using tests::TestSource;
-
-Source source_of(const Bytes& bytes, bool checked = false) {
-    return checked ? vouched_source(bytes.data(), bytes.size()) : memory_source(bytes.data(), bytes.size());
-}
 
 /// Collects bytes and refuses a write.
 struct Collector {
@@ -204,8 +201,7 @@ bool judge(const Bytes& bytes, Choices& choices) {
     const StreamOutcome checked = tests::read_stream(reader, bytes, nullptr, chunk);
     EXPECT_LE(checked.offset, bytes.size());
     EXPECT_EQ(walk(bytes, choices) == Status::ok, checked.built.status == Status::ok);
-    EXPECT_EQ(check_stream(bytes.data(), bytes.size()).status == Status::ok,
-              checked.built.status == Status::ok);
+    EXPECT_EQ(check_stream(source_of(bytes)).status == Status::ok, checked.built.status == Status::ok);
     if (checked.built.status != Status::ok) {
         tests::HeapPool pool(choices.byte());
         const tests::PoolImage before(pool);

@@ -38,8 +38,10 @@ class OsemPair {
                                memory_source(stream_b_.data(), stream_b_.size()));
     }
     const Bytes& combine_checked_streams(Operator op) {
-        return combine_streams(op, vouched_source(stream_a_.data(), stream_a_.size()),
-                               vouched_source(stream_b_.data(), stream_b_.size()));
+        Source a = memory_source(stream_a_.data(), stream_a_.size());
+        Source b = memory_source(stream_b_.data(), stream_b_.size());
+        a.checked = b.checked = true;
+        return combine_streams(op, a, b);
     }
 
     std::uint64_t stream_bytes() const { return stream_a_.size() + stream_b_.size(); }

@@ -20,7 +20,6 @@ constexpr Operator all_operators[] = {Operator::unite, Operator::intersect, Oper
                                       Operator::exclusive_or};
 
 Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
-Source source_of(const Bytes& bytes) { return memory_source(bytes.data(), bytes.size()); }
 
 struct TestSink {
     Bytes bytes;

@@ -77,9 +77,9 @@ void expect_at(const StreamCursor& cursor, const std::vector<Place>& places, std
 // Of the bytes as they come, and of those that were checked before.
 class StreamCursorOf : public testing::TestWithParam<bool> {
   protected:
-    static Source source_of(const Bytes& bytes) {
-        if (!GetParam()) return memory_source(bytes.data(), bytes.size());
-        const StreamCheckOutcome checked = check_stream(bytes.data(), bytes.size());
+    static Source source_to_walk(const Bytes& bytes) {
+        if (!GetParam()) return source_of(bytes);
+        const StreamCheckOutcome checked = check_stream(source_of(bytes));
         EXPECT_EQ(checked.status, Status::ok);
         EXPECT_EQ(checked.offset, bytes.size());
         return checked.source;
@@ -92,7 +92,7 @@ TEST_P(StreamCursorOf, MeetsEveryOctantInPreorder) {
         const Bytes bytes = stream_of(grid);
         const std::vector<Place> places = places_of(grid);
         StreamCursor cursor;
-        ASSERT_EQ(cursor.begin(source_of(bytes)), Status::ok);
+        ASSERT_EQ(cursor.begin(source_to_walk(bytes)), Status::ok);
         EXPECT_EQ(cursor.header().depth, grid.depth());
         for (std::size_t at = 0; at < places.size(); ++at, cursor.next()) expect_at(cursor, places, at);
         expect_at(cursor, places, places.size());
@@ -109,7 +109,7 @@ TEST_P(StreamCursorOf, SkipsAndLeafGroupsLeadToTheSamePlaces) {
         const Bytes bytes = stream_of(grid);
         const std::vector<Place> places = places_of(grid);
         StreamCursor walk;
-        ASSERT_EQ(walk.begin(source_of(bytes)), Status::ok);
+        ASSERT_EQ(walk.begin(source_to_walk(bytes)), Status::ok);
         for (std::size_t at = 0; at < places.size(); ++at, walk.next()) {
             StreamCursor cursor = walk; // from every octant
             cursor.skip();
@@ -166,7 +166,7 @@ void expect_like_reader(const Bytes& bytes, const std::string& what) {
         EXPECT_EQ(cursor.status(), expected.built.status) << what << ": " << describe(cursor.status());
         EXPECT_EQ(cursor.offset(), expected.offset) << what;
     }
-    const StreamCheckOutcome checked = check_stream(bytes.data(), bytes.size());
+    const StreamCheckOutcome checked = check_stream(source_of(bytes));
     EXPECT_EQ(checked.status, expected.built.status) << what;
     EXPECT_EQ(checked.offset, expected.offset) << what;
 }

@@ -14,7 +14,6 @@ namespace osem::tests {
 namespace {
 
 Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
-Source source_of(const Bytes& bytes) { return memory_source(bytes.data(), bytes.size()); }
 
 TEST(StreamQuery, ThePointsLeafIsThatOfThePool) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {

@@ -93,10 +93,6 @@ bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
     return true;
 }
 
-Source source_of(const Bytes& bytes, bool checked = false) {
-    return checked ? vouched_source(bytes.data(), bytes.size()) : memory_source(bytes.data(), bytes.size());
-}
-
 TEST(StreamSubtree, UnevenTreesByEveryOperator) {
     StreamCombination job;
     std::size_t read = 0;

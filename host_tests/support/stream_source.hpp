@@ -11,6 +11,12 @@
 
 namespace osem::tests {
 
+inline Source source_of(const Bytes& bytes, bool checked = false) {
+    Source source = memory_source(bytes.data(), bytes.size());
+    source.checked = checked;
+    return source;
+}
+
 struct TestSource {
     explicit TestSource(const Bytes& all) : bytes(all) {}
 

@@ -97,10 +97,8 @@ void paint_streams(const PaintTrees& trees) {
     alignas(Source) static unsigned char source_memory[sizeof(Source)];
     measured("memory_source", [&] { new (source_memory) Source(memory_source(stream, stream_length)); });
     const Source source = memory_source(stream, stream_length);
-    measured("vouched_source", [&] { new (source_memory) Source(vouched_source(stream, stream_length)); });
     alignas(StreamCheckOutcome) static unsigned char outcome_memory[sizeof(StreamCheckOutcome)];
-    measured("check_stream",
-             [&] { new (outcome_memory) StreamCheckOutcome(check_stream(stream, stream_length)); });
+    measured("check_stream", [&] { new (outcome_memory) StreamCheckOutcome(check_stream(source)); });
     paint_path();
     paint_cursor(source);
     paint_builder(sink);

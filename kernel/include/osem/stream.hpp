@@ -71,29 +71,26 @@ struct Source {
     bool (*read)(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count);
     void* context;
     std::uint64_t size; ///< bytes of the whole stream
-    /// The stream itself, where it lies in memory and is known to be whole and undamaged; else null. It is
-    /// then read in place, its checksum is not compared, and subtrees that go by as a whole are not looked at
-    /// octant by octant.
-    const std::uint8_t* checked = nullptr;
+    /// Whether these bytes are known to be a stream, and to be read without a fault: from check_stream, a
+    /// StreamReader without a pool, or a host that checked what it put into flash. Then no checksum is
+    /// compared, and subtrees that go by as a whole are not looked at octant by octant. What a check would
+    /// refuse is undefined behaviour here.
+    bool checked = false;
 };
 
 /// A stream in memory, which may be flash: the bytes are only read.
 Source memory_source(const std::uint8_t* bytes, std::size_t size);
 
-/// A stream in memory that has been checked: by check_stream, by a StreamReader without a pool, or by a host
-/// before it was put into flash. What they would refuse is undefined behaviour here.
-Source vouched_source(const std::uint8_t* bytes, std::size_t size);
-
 /// What check_stream found: `source` may be used if and only if status is ok.
 struct StreamCheckOutcome {
     Status status;
     std::uint64_t offset; ///< of the byte at which a fault was seen; else of the end
-    Source source;        ///< vouched_source of the bytes
+    Source source;        ///< the same, as a checked one
 };
 
-/// Decides whether bytes in memory, none of which are trusted, are a stream: what is read often is checked
-/// once. Status: ok; the faults of StreamCursor but for source_failed. Cost: O(nodes), O(depth) memory.
-StreamCheckOutcome check_stream(const std::uint8_t* bytes, std::size_t size);
+/// Decides whether bytes, none of which are trusted, are a stream: what is read often is checked once.
+/// Status: ok; the faults of StreamCursor. Cost: O(nodes), each byte is read once; O(depth) memory.
+StreamCheckOutcome check_stream(const Source& source);
 
 /// Writes a tree of up to 2^32 - 1 nodes (shared ones counted as often as they are reached); depth and node
 /// count of `header` are filled in from it. Precondition: header.leaf_rule is 0 or 1. Status: ok;

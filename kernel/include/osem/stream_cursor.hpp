@@ -17,9 +17,9 @@ namespace osem {
 /// end), each byte once. All of its state is in the object, O(depth).
 ///
 /// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
-/// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. Of a checked
-/// source nothing is refused, and it is read in place but for its last bytes. A cursor may be copied; both
-/// then walk on for themselves.
+/// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. Of a
+/// checked source no fault is looked for but that of a read. A cursor may be copied; both then walk on for
+/// themselves.
 class StreamCursor {
   public:
     /// Reads the header and stands at the root octant. Status: ok; source_failed; stream_truncated or
@@ -68,7 +68,7 @@ class StreamCursor {
   private:
     friend class StreamCombination;
 
-    /// Codes that went by, still where they were read.
+    /// Codes that went by, still in the buffer.
     struct Passage {
         const std::uint8_t* bytes;
         unsigned at;         ///< the first code
@@ -79,9 +79,6 @@ class StreamCursor {
     void fail(Status status, std::uint64_t offset);
     Status read_header();
     bool load();
-    void load_next(std::uint64_t end);
-    void load_checked(std::uint64_t end);
-    const std::uint8_t* bytes() const { return in_place_ != nullptr ? in_place_ : buffer_; }
     void arrive();
     void pass_leaves();
     Passage pass(int floor, std::uint32_t most);
@@ -91,13 +88,12 @@ class StreamCursor {
     Source source_ = {};
     StreamHeader header_ = {};
     PreorderPath path_;
-    const std::uint8_t* in_place_ = nullptr; ///< where a checked source's bytes are looked at; null: buffer_
-    std::uint64_t loaded_ = 0;               ///< the stream's bytes up to here have been read
-    std::uint64_t offset_ = 0;               ///< of a fault, or of the end
+    std::uint64_t loaded_ = 0; ///< the stream's bytes up to here have been read
+    std::uint64_t offset_ = 0; ///< of a fault, or of the end
     std::uint32_t crc_ = 0;
     unsigned at_ = 0;     ///< the next code in the buffer
     unsigned limit_ = 0;  ///< before this one, what a look ahead needs is in the buffer
-    unsigned filled_ = 0; ///< bytes of the buffer, or of those in place
+    unsigned filled_ = 0; ///< bytes of the buffer
     Colour colour_ = Colour::white;
     Status status_ = Status::unfinished;
     std::uint8_t level_ = 0;

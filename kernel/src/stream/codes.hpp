@@ -101,15 +101,15 @@ class CodeGroups {
         greys_ = found * ones;
     }
 
-    /// How many of these groups end what so many are to come of, each grey code one more: all, if they do
-    /// not. Precondition: to_come is in [1, 2^14].
-    unsigned to_end(std::uint32_t to_come) const {
+    /// How many of the first `ready` groups end what so many are to come of, each grey code one more: all, if
+    /// they do not. Precondition: to_come is in [1, 2^14].
+    unsigned to_end(std::uint32_t to_come, unsigned ready) const {
         const Codes left = greys_ + ones * to_come - static_cast<Codes>(0x0004000300020001U);
         Codes ends = (left - ones) & ~left & ones << 15;
-        if (ends == 0) return count;
+        if (ends == 0) return ready;
         unsigned end = 1;
         for (ends >>= 15; (ends & 1U) == 0; ends >>= 16) ++end;
-        return end;
+        return end < ready ? end : ready;
     }
 
     /// Grey codes of the first `groups`, at least one.

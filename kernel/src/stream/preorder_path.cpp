@@ -125,7 +125,8 @@ Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsig
     std::uint32_t nodes = 0;
     while (to_come != 0 && nodes < most && at < limit) {
         const CodeGroups groups(bytes, at);
-        const unsigned taken = groups.to_end(to_come);
+        const bool all_ready = limit - at > 8 * CodeGroups::count - codes_ahead;
+        const unsigned taken = groups.to_end(to_come, all_ready ? CodeGroups::count : codes_ahead / 8);
         const unsigned greys = groups.greys(taken);
         at += 8 * taken;
         nodes += greys;

@@ -16,7 +16,6 @@ bool read_memory(void* context, std::uint64_t offset, std::uint8_t* bytes, std::
 }
 
 constexpr unsigned read_size = 64;
-constexpr unsigned most_in_place = 4096; // so that a code's number has 32 bits, however long the stream is
 
 } // namespace
 
@@ -24,17 +23,16 @@ Source memory_source(const std::uint8_t* bytes, std::size_t size) {
     return Source{read_memory, const_cast<std::uint8_t*>(bytes), size}; // read_memory only reads
 }
 
-Source vouched_source(const std::uint8_t* bytes, std::size_t size) {
-    Source source = memory_source(bytes, size);
-    source.checked = bytes;
-    return source;
-}
-
-StreamCheckOutcome check_stream(const std::uint8_t* bytes, std::size_t size) {
+StreamCheckOutcome check_stream(const Source& source) {
+    StreamCheckOutcome outcome = {Status::ok, 0, source};
+    outcome.source.checked = false;
     StreamCursor cursor;
-    cursor.begin(memory_source(bytes, size));
+    cursor.begin(outcome.source);
     if (!cursor.done()) cursor.skip();
-    return {cursor.status(), cursor.offset(), vouched_source(bytes, size)};
+    outcome.source.checked = true;
+    outcome.status = cursor.status();
+    outcome.offset = cursor.offset();
+    return outcome;
 }
 
 Status StreamCursor::begin(const Source& source) {
@@ -46,7 +44,6 @@ Status StreamCursor::begin(const Source& source) {
     at_ = 0;
     limit_ = 0;
     filled_ = 0;
-    in_place_ = nullptr;
     status_ = Status::ok;
     offset_ = 0;
     done_ = false;
@@ -91,13 +88,6 @@ void StreamCursor::fail(Status status, std::uint64_t offset) {
 // Sees to it that the codes of a look ahead, or all that are left, are in the buffer. Needed from limit_ on.
 bool StreamCursor::load() {
     const std::uint64_t end = source_.size - stream_trailer_size;
-    source_.checked != nullptr ? load_checked(end) : load_next(end);
-    if (done_) return false; // the source has failed
-    limit_ = 4 * filled_ + 1 - (loaded_ == end ? 0 : codes_ahead);
-    return true;
-}
-
-void StreamCursor::load_next(std::uint64_t end) {
     unsigned kept = 0;
     for (unsigned i = at_ / 4; i < filled_; ++i) buffer_[kept++] = buffer_[i];
     const std::uint64_t left = end - loaded_;
@@ -105,36 +95,21 @@ void StreamCursor::load_next(std::uint64_t end) {
     at_ %= 4;
     filled_ = kept;
     if (!source_.read(source_.context, loaded_, buffer_ + kept, count)) {
-        return fail(Status::source_failed, loaded_);
+        fail(Status::source_failed, loaded_);
+        return false;
     }
-    crc_ = crc_append(crc_, buffer_ + kept, count);
+    if (!source_.checked) crc_ = crc_append(crc_, buffer_ + kept, count);
     filled_ += count;
     loaded_ += count;
-}
-
-// The last bytes are copied: in place a look ahead would leave the memory.
-void StreamCursor::load_checked(std::uint64_t end) {
-    const std::uint64_t first = byte_of(at_);
-    const std::uint64_t left = end - first;
-    const std::uint8_t* const from = source_.checked + static_cast<std::size_t>(first);
-    at_ %= 4;
-    if (left <= read_size) {
-        in_place_ = nullptr;
-        filled_ = static_cast<unsigned>(left);
-        for (unsigned i = 0; i < filled_; ++i) buffer_[i] = from[i];
-    } else {
-        in_place_ = from;
-        filled_ =
-            left - codes_size < most_in_place ? static_cast<unsigned>(left - codes_size) : most_in_place;
-    }
-    loaded_ = first + filled_;
+    limit_ = 4 * filled_ + 1 - (loaded_ == end ? 0 : codes_ahead);
+    return true;
 }
 
 // Takes the next octant's code. While the path is not whole there is one: as many grey octants as the header
 // says have eight codes each in the payload, and more are refused.
 void StreamCursor::arrive() {
     if (at_ >= limit_ && !load()) return;
-    colour_ = static_cast<Colour>(std::uint32_t{bytes()[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
+    colour_ = static_cast<Colour>(std::uint32_t{buffer_[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
     level_ = static_cast<std::uint8_t>(path_.level());
     ++at_;
     const Status status = path_.take(colour_);
@@ -145,7 +120,7 @@ void StreamCursor::next() { path_.whole() ? end() : arrive(); }
 
 bool StreamCursor::leaf_children(std::uint16_t& codes) const {
     if (colour_ != Colour::grey) return false;
-    codes = static_cast<std::uint16_t>(codes_at(bytes(), 2 * at_));
+    codes = static_cast<std::uint16_t>(codes_at(buffer_, 2 * at_));
     return grey_codes(codes) == 0 && !is_one_leaf(codes);
 }
 
@@ -166,11 +141,10 @@ void StreamCursor::next_or_leaves() {
 StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
     Passage passage = {buffer_, 0, 0, 0};
     if (at_ >= limit_ && !load()) return passage;
-    passage.bytes = bytes();
     passage.at = at_;
     passage.nodes = path_.nodes_left_;
-    const Status status = source_.checked != nullptr ? path_.take_checked(bytes(), at_, limit_, most)
-                                                     : path_.take_buffered(buffer_, at_, limit_, floor, most);
+    const Status status = source_.checked ? path_.take_checked(buffer_, at_, limit_, most)
+                                          : path_.take_buffered(buffer_, at_, limit_, floor, most);
     if (status != Status::ok) fail(status, byte_of(at_ - 1));
     passage.codes = at_ - passage.at;
     passage.nodes -= path_.nodes_left_;
@@ -187,14 +161,13 @@ void StreamCursor::skip() {
 // Behind the last octant: the bits that are left (8n + 1 codes end with the first of a byte), and the
 // checksum.
 void StreamCursor::end() {
-    if (source_.checked == nullptr && (buffer_[at_ / 4] >> 2) != 0)
-        return fail(Status::stream_payload_damaged, byte_of(at_));
+    if ((buffer_[at_ / 4] >> 2) != 0) return fail(Status::stream_payload_damaged, byte_of(at_));
     std::uint8_t bytes[stream_trailer_size];
     if (!source_.read(source_.context, loaded_, bytes, sizeof bytes)) {
         return fail(Status::source_failed, loaded_);
     }
     const auto checksum = get_number<std::uint32_t>(bytes);
-    if (source_.checked != nullptr) crc_ = checksum;
+    if (source_.checked) crc_ = checksum;
     if (checksum != crc_) return fail(Status::stream_payload_damaged, loaded_);
     offset_ = source_.size;
     done_ = true;
