@@ -237,6 +237,8 @@ void expect_combined(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& 
     StreamCombination job;
     TestSource source_a(a);
     TestSource source_b(b);
+    source_a.checked = choices.flag();
+    source_b.checked = choices.flag();
     Collector collector;
     const std::uint32_t obstacle = choices.below(8); // mostly none
     if (obstacle == 0) source_a.fail_at = choices.below(40);

@@ -127,11 +127,12 @@ INSTANTIATE_TEST_SUITE_P(All, StreamCursorOf, testing::Bool());
 
 TEST(StreamCursor, ASourceMayFailAtEveryRead) {
     const Bytes bytes = stream_of(random_grid(4, 3, three_colours));
-    for (const bool skipping : {false, true}) {
+    for (const unsigned way : {0U, 1U, 2U, 3U}) {
         const auto walk = [&](TestSource& source) {
+            source.checked = way % 2 != 0;
             StreamCursor cursor;
             cursor.begin(source.source());
-            while (!cursor.done()) skipping ? cursor.skip() : cursor.next();
+            while (!cursor.done()) way / 2 != 0 ? cursor.skip() : cursor.next();
             return cursor;
         };
         TestSource whole(bytes);
@@ -169,6 +170,7 @@ void expect_like_reader(const Bytes& bytes, const std::string& what) {
     const StreamCheckOutcome checked = check_stream(source_of(bytes));
     EXPECT_EQ(checked.status, expected.built.status) << what;
     EXPECT_EQ(checked.offset, expected.offset) << what;
+    EXPECT_EQ(checked.source.checked, checked.status == Status::ok) << what;
 }
 
 TEST(StreamCursor, DamageIsFoundAsByTheReader) {

@@ -20,12 +20,13 @@ inline Source source_of(const Bytes& bytes, bool checked = false) {
 struct TestSource {
     explicit TestSource(const Bytes& all) : bytes(all) {}
 
-    Source source() { return Source{read, this, bytes.size()}; }
+    Source source() { return Source{read, this, bytes.size(), checked}; }
 
     const Bytes& bytes;
     std::size_t reads = 0;
     std::size_t fail_at = SIZE_MAX; ///< the number of reads that are answered
     std::uint64_t asked_at = 0;     ///< the offset last asked for
+    bool checked = false;
 
   private:
     static bool read(void* context, std::uint64_t offset, std::uint8_t* to, std::size_t count) {

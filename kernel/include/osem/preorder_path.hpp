@@ -42,13 +42,13 @@ class PreorderPath {
 
     Status take_buffered(const std::uint8_t* bytes, unsigned& at, unsigned limit, int floor,
                          std::uint32_t most);
-    Status take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most);
+    Status take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
+                        std::uint32_t& to_come);
     Status ascend();
     Octant taken(int level) const;
     std::uint64_t volume_before(int level) const;
 
     std::uint32_t nodes_left_ = 0;
-    std::uint32_t to_come_ = 0; ///< octants' children, of a subtree that take_checked has begun
     std::uint8_t depth_ = 0;
     std::uint8_t level_ = 0;
     Colour colour_ = Colour::white; ///< of the child that went by last

@@ -21,9 +21,10 @@ struct StreamCombinationOutcome {
 
 /// A Boolean from streams to a stream in progress: begin, step until done, finish. The bytes are those that
 /// write_stream gives of Combination's result; colours follow Kleene's three-valued logic as there. The
-/// sources are read twice: the first pass checks them whole and counts the result's nodes, only then is the
-/// sink written to. Where the sink can replace, they are read once, in half of the time: what has been
-/// written when a fault is met begins without a header then, and is no stream. All state is in the object.
+/// sources are read twice: the first pass checks them whole, if they have not been checked before, and counts
+/// the result's nodes, only then is the sink written to. Where the sink can replace, they are read once, in
+/// half of the time: what has been written when a fault is met begins without a header then, and is no
+/// stream. All state is in the object.
 class StreamCombination {
   public:
     /// Starts `a op b`. The result has the greater depth, frame and leaf rule of `a`; whether `b` has the
@@ -37,11 +38,12 @@ class StreamCombination {
     /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; below a grey octant
     /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
     /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read or a write
-    /// of at most 64 bytes.
+    /// of at most 64 bytes. Of a checked operand's grey octants up to 32 go by at once, so at times 31 more
+    /// than asked for.
     bool step(std::uint32_t octants);
 
     /// Exact progress: each of two passes decides half of the root's volume (2^60 cells), a single one all of
-    /// it. Cost: O(depth).
+    /// it. What goes by as a whole of a checked operand counts when it is over. Cost: O(depth).
     std::uint64_t decided_volume() const { return decided_cells() / (in_one_pass() ? 1 : 2); }
 
     /// Status: ok; unfinished; the faults of StreamCursor, the operand named; sink_refused, after which
@@ -67,9 +69,9 @@ class StreamCombination {
     std::uint32_t pass(std::uint32_t most);
     void advance(bool past_leaves);
     void release();
-    bool check(const StreamCursor& cursor, std::uint8_t operand);
+    inline bool check(const StreamCursor& cursor, std::uint8_t operand);
     void fail(Status status, std::uint8_t operand, std::uint64_t offset);
-    std::uint16_t codes_of(const StreamCursor& cursor, bool& known) const;
+    inline std::uint16_t codes_of(const StreamCursor& cursor, bool& known) const;
 
     StreamCursor a_;
     StreamCursor b_;

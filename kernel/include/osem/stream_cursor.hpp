@@ -18,7 +18,7 @@ namespace osem {
 ///
 /// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
 /// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. Of a
-/// checked source no fault is looked for but that of a read. A cursor may be copied; both then walk on for
+/// checked source the payload's faults are not looked for. A cursor may be copied; both then walk on for
 /// themselves.
 class StreamCursor {
   public:
@@ -48,8 +48,8 @@ class StreamCursor {
     void next();
 
     /// Goes on behind the octant's subtree, whose form is checked on the way. Precondition: not done(). Cost:
-    /// O(nodes of the subtree), those of eight leaves in one piece; of a checked source up to 32 octants in
-    /// one.
+    /// O(nodes of the subtree), those of eight leaves in one piece. Of a checked source the form is not
+    /// looked at, and up to 32 octants are one piece (16 where pointers have 32 bits).
     void skip();
 
     /// Goes on as next(), but where leaf_children says so behind all eight children.
@@ -62,7 +62,8 @@ class StreamCursor {
     /// The byte of the stream at which the fault was seen; without a fault the byte of the octant's code.
     std::uint64_t offset() const { return done_ ? offset_ : byte_of(at_ - 1); }
 
-    /// The checksum of the payload read so far; of a walk to the end it is the stream's own.
+    /// The checksum of the payload read so far; of a walk to the end it is the stream's own. Of a checked
+    /// source it is 0 until then.
     std::uint32_t checksum() const { return crc_; }
 
   private:
@@ -91,9 +92,10 @@ class StreamCursor {
     std::uint64_t loaded_ = 0; ///< the stream's bytes up to here have been read
     std::uint64_t offset_ = 0; ///< of a fault, or of the end
     std::uint32_t crc_ = 0;
-    unsigned at_ = 0;     ///< the next code in the buffer
-    unsigned limit_ = 0;  ///< before this one, what a look ahead needs is in the buffer
-    unsigned filled_ = 0; ///< bytes of the buffer
+    unsigned at_ = 0;           ///< the next code in the buffer
+    unsigned limit_ = 0;        ///< before this one, what a look ahead needs is in the buffer
+    unsigned filled_ = 0;       ///< bytes of the buffer
+    std::uint32_t to_come_ = 0; ///< groups of codes, of a checked subtree that goes by
     Colour colour_ = Colour::white;
     Status status_ = Status::unfinished;
     std::uint8_t level_ = 0;

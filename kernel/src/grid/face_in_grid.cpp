@@ -113,7 +113,7 @@ void FaceInGrid::see(int u, int v, const Plane& plane, const Ranges& range, Slab
     if (turn <= 0) add_edges(u, v, false, slabs);
 }
 
-// Edges that rise are right ones, or those that fall.
+// All edges; right ones are those that rise, or else those that fall.
 void FaceInGrid::add_edges(int u, int v, bool rising_right, Slabs& slabs) const {
     const Point* a = &solid_.vertices[end_[-1]];
     for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {

@@ -80,7 +80,7 @@ constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
 inline std::uint64_t two_rows(const std::uint32_t* row) { return row[0] | std::uint64_t{row[1]} << 32; }
 
 /// A part of 4 x 4 x 4 octants of a grid, or all of a grid of eight, as one mask: the row is that of its
-/// first octant, which is octant x of it.
+/// first octant, which is octant x of it (0 in a grid of eight).
 inline std::uint64_t as_mask(const std::uint32_t* row, unsigned x, int levels) {
     if (levels == 1) return (row[0] & 3U) | (row[1] & 3U) << 4 | (row[2] & 3U) << 16 | (row[3] & 3U) << 20;
     std::uint64_t set = 0;

@@ -82,7 +82,8 @@ constexpr unsigned leaf_bits(Codes greys, unsigned left) {
 constexpr bool eight_leaves(Codes greys) { return (greys & 0xffffU) == 0; }
 constexpr bool eight_alike(Codes codes) { return ((codes ^ (codes & 3U) * 0x5555U) & 0xffffU) == 0; }
 
-/// Groups of eight codes in a row, as many as Codes holds, side by side in sixteen bits each.
+/// Groups of eight codes in a row, whichever octants they are of, as many as Codes holds, side by side in
+/// sixteen bits each.
 class CodeGroups {
   public:
     static constexpr unsigned count = codes_size / 2;
@@ -102,7 +103,8 @@ class CodeGroups {
     }
 
     /// How many of the first `ready` groups end what so many are to come of, each grey code one more: all, if
-    /// they do not. Precondition: to_come is in [1, 2^14].
+    /// they do not. Precondition: to_come is in [1, 2^14]; of a tree's codes there are never more groups to
+    /// come than octants open, 20.
     unsigned to_end(std::uint32_t to_come, unsigned ready) const {
         const Codes left = greys_ + ones * to_come - static_cast<Codes>(0x0004000300020001U);
         Codes ends = (left - ones) & ~left & ones << 15;

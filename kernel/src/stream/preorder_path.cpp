@@ -15,7 +15,6 @@ constexpr unsigned window_bits = 64 - 6; // of a wide register: what is there wh
 void PreorderPath::begin(int depth, std::uint32_t nodes) {
     nodes_left_ = nodes;
     depth_ = static_cast<std::uint8_t>(depth);
-    to_come_ = 0;
     level_ = 0;
     alike_ = false;
     left_[0] = 1;
@@ -116,13 +115,15 @@ Status PreorderPath::take_buffered(const std::uint8_t* bytes, unsigned& at, unsi
     return level == depth ? Status::stream_too_deep : Status::stream_count_mismatch;
 }
 
-// The same below the octant just entered, where all is known to be well formed: then it is enough to follow
-// how many octants' children are to come, eight codes each, whatever their levels; each grey code is one
-// more. So such groups of codes are taken side by side, and the subtree's end can only be behind one of them.
-Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit,
-                                  std::uint32_t most) {
-    std::uint32_t to_come = to_come_ != 0 ? to_come_ : 1;
+// The same below the octant just entered, where all is known to be well formed. Then it is enough to follow
+// how many codes are to come, whatever their levels: eight, and eight more for each grey one. So behind every
+// eight codes from there on a multiple of eight is to come, and nothing only behind such a group; groups are
+// taken side by side, a few nodes more than `most` if that is reached in them. `to_come` counts them, and is
+// 0 at first and in the end.
+Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
+                                  std::uint32_t& to_come) {
     std::uint32_t nodes = 0;
+    if (to_come == 0) to_come = 1;
     while (to_come != 0 && nodes < most && at < limit) {
         const CodeGroups groups(bytes, at);
         const bool all_ready = limit - at > 8 * CodeGroups::count - codes_ahead;
@@ -133,7 +134,6 @@ Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsig
         to_come += greys - taken;
     }
     nodes_left_ -= nodes;
-    to_come_ = to_come;
     if (to_come != 0) return Status::ok;
     --level_;
     alike_ = false;

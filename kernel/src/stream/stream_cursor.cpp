@@ -29,9 +29,9 @@ StreamCheckOutcome check_stream(const Source& source) {
     StreamCursor cursor;
     cursor.begin(outcome.source);
     if (!cursor.done()) cursor.skip();
-    outcome.source.checked = true;
     outcome.status = cursor.status();
     outcome.offset = cursor.offset();
+    outcome.source.checked = outcome.status == Status::ok;
     return outcome;
 }
 
@@ -44,6 +44,7 @@ Status StreamCursor::begin(const Source& source) {
     at_ = 0;
     limit_ = 0;
     filled_ = 0;
+    to_come_ = 0;
     status_ = Status::ok;
     offset_ = 0;
     done_ = false;
@@ -143,7 +144,7 @@ StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
     if (at_ >= limit_ && !load()) return passage;
     passage.at = at_;
     passage.nodes = path_.nodes_left_;
-    const Status status = source_.checked ? path_.take_checked(buffer_, at_, limit_, most)
+    const Status status = source_.checked ? path_.take_checked(buffer_, at_, limit_, most, to_come_)
                                           : path_.take_buffered(buffer_, at_, limit_, floor, most);
     if (status != Status::ok) fail(status, byte_of(at_ - 1));
     passage.codes = at_ - passage.at;

@@ -32,6 +32,12 @@ constexpr std::uint8_t without_lowest(std::uint8_t mask) {
     return static_cast<std::uint8_t>(mask & (mask - 1U));
 }
 
+/// Bytes of a set as members of a mask, by their lowest bits: byte c has the power 8c and is multiplied by
+/// that of 56 - 7c, so that it comes to 56 + c; no two products coincide, so there are no carries.
+constexpr std::uint8_t lowest_of_bytes(std::uint64_t set) {
+    return static_cast<std::uint8_t>((set & 0x0101010101010101) * 0x0102040810204080 >> 56);
+}
+
 /// The members 8 child to 8 child + 7 of a set in Morton order.
 constexpr std::uint8_t children_of(std::uint64_t set, unsigned child) {
     return static_cast<std::uint8_t>(set >> (8 * child));

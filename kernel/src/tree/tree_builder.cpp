@@ -10,12 +10,6 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
-// Bytes of a set as members of a mask, by their lowest bits: byte c has the power 8c and is multiplied by
-// that of 56 - 7c, so that it comes to 56 + c; no two products coincide, so there are no carries.
-constexpr std::uint8_t lowest_of_bytes(std::uint64_t set) {
-    return static_cast<std::uint8_t>((set & 0x0101010101010101) * 0x0102040810204080 >> 56);
-}
-
 // The children, of eight leaves each, whose leaves are not all alike: each other one is one leaf.
 constexpr std::uint8_t divided_children(std::uint64_t may, std::uint64_t must) {
     constexpr std::uint64_t lower_bits = 0x7f7f7f7f7f7f7f7f;

@@ -17,7 +17,7 @@ using Words = std::vector<std::uint32_t>;
 
 std::uint32_t size_of(const Words& words) { return static_cast<std::uint32_t>(words.size()); }
 
-// Runs a pass in a pool that is mostly large enough, or another one.
+// Runs a pass, or two where the likely size was too low, and keeps the pool, the tree and the seconds.
 template <class Run>
 auto build(Converted& made, const CheckedSolid& solid, int depth, Run run) {
     made.pool = roomy_pool(estimate(solid.view(), depth).nodes());
