@@ -81,11 +81,11 @@ struct Source {
 /// A stream in memory, which may be flash: the bytes are only read.
 Source memory_source(const std::uint8_t* bytes, std::size_t size);
 
-/// What check_stream found: `source` may be used if and only if status is ok.
+/// What check_stream found.
 struct StreamCheckOutcome {
     Status status;
     std::uint64_t offset; ///< of the byte at which a fault was seen; else of the end
-    Source source;        ///< the same, as a checked one
+    Source source;        ///< the same, as a checked one if status is ok
 };
 
 /// Decides whether bytes, none of which are trusted, are a stream: what is read often is checked once.

@@ -117,9 +117,9 @@ Status PreorderPath::take_buffered(const std::uint8_t* bytes, unsigned& at, unsi
 
 // The same below the octant just entered, where all is known to be well formed. Then it is enough to follow
 // how many codes are to come, whatever their levels: eight, and eight more for each grey one. So behind every
-// eight codes from there on a multiple of eight is to come, and nothing only behind such a group; groups are
-// taken side by side, a few nodes more than `most` if that is reached in them. `to_come` counts them, and is
-// 0 at first and in the end.
+// eight codes from there on a multiple of eight is to come, and it can be none only there. Groups of eight
+// are taken side by side, so at times there are more nodes than `most`. `to_come` counts groups, and is 0 at
+// first and in the end.
 Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
                                   std::uint32_t& to_come) {
     std::uint32_t nodes = 0;
