@@ -8,6 +8,7 @@
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/small_solids.hpp"
+#include "support/stream_source.hpp"
 
 namespace osem::tests {
 
@@ -119,7 +120,7 @@ class Work {
     Octree tree_;
     Bytes bytes_;
     CsgSolid solid_operand_{solid_.checked(), WindingRule::nonzero, faces_.data(), solid_.face_count()};
-    CsgStream stream_operand_{memory_source(bytes_.data(), bytes_.size())};
+    CsgStream stream_operand_{source_of(bytes_)};
     Tokens tokens_{a, b, subtract};
     std::vector<CsgOperand> operands_;
 };
@@ -229,7 +230,7 @@ TEST(CsgWork, OneObjectAsTwoOperandsIsRefused) {
     HeapPool pool(1000);
     const Octree tree = planted(random_grid(3, 12, three_colours), *pool);
     const Bytes bytes = written(tree, StreamHeader{});
-    CsgStream stream(memory_source(bytes.data(), bytes.size()));
+    CsgStream stream(source_of(bytes));
     CsgTree other(tree);
     const CsgOperand operands[] = {other, stream, stream};
     const Tokens tokens = {a, b, subtract};

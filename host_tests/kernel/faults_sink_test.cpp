@@ -87,8 +87,6 @@ struct SinkJob {
 };
 void PrintTo(const SinkJob& job, std::ostream* out) { *out << job.name; }
 
-Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
-
 DenseGrid first_grid() { return random_grid(4, 31, three_colours); }
 DenseGrid second_grid() { return random_grid(4, 32, three_colours); }
 

@@ -65,7 +65,6 @@ struct SourceJob {
 void PrintTo(const SourceJob& job, std::ostream* out) { *out << job.name; }
 
 DenseGrid grid_at(std::size_t i) { return random_grid(4, 31 + static_cast<std::uint32_t>(i), three_colours); }
-Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
 
 std::vector<Flaky> sources_of(const SourceJob& job) {
     std::vector<Flaky> sources;

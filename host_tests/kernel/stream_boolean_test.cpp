@@ -19,8 +19,6 @@ namespace {
 constexpr Operator all_operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
                                       Operator::exclusive_or};
 
-Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
-
 struct TestSink {
     Bytes bytes;
     std::size_t writes = 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t sample_count = 60;
 
-// The last one is longer than what is looked at in place at a time.
+// The last one takes many reads, with nodes wherever there can be one.
 DenseGrid sample_of(std::uint32_t seed) {
     if (seed + 1 < sample_count) return grid_of(seed);
     DenseGrid grid(5);
@@ -27,8 +27,6 @@ DenseGrid sample_of(std::uint32_t seed) {
     }
     return grid;
 }
-
-Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
 
 // The octants of a grid's tree in preorder, by plain recursion.
 struct Place {
@@ -162,7 +160,7 @@ void expect_like_reader(const Bytes& bytes, const std::string& what) {
     }
     for (const bool skipping : {false, true}) {
         StreamCursor cursor;
-        cursor.begin(memory_source(bytes.data(), bytes.size()));
+        cursor.begin(source_of(bytes));
         while (!cursor.done()) skipping ? cursor.skip() : cursor.next();
         EXPECT_EQ(cursor.status(), expected.built.status) << what << ": " << describe(cursor.status());
         EXPECT_EQ(cursor.offset(), expected.offset) << what;

@@ -13,8 +13,6 @@ namespace osem::tests {
 
 namespace {
 
-Bytes stream_of(const DenseGrid& grid) { return StreamModel(grid.depth(), preorder_masks(grid)).bytes(); }
-
 TEST(StreamQuery, ThePointsLeafIsThatOfThePool) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const DenseGrid grid = grid_of(seed);

@@ -41,6 +41,11 @@ struct StreamModel {
 /// What write_stream writes.
 Bytes written(const Octree& tree, const StreamHeader& header);
 
+/// The stream of a grid's tree, without the kernel.
+inline Bytes stream_of(const DenseGrid& grid) {
+    return StreamModel(grid.depth(), preorder_masks(grid)).bytes();
+}
+
 /// Reads whole streams in chunks. `reader` is the working memory.
 StreamOutcome read_stream(StreamReader& reader, const Bytes& bytes, NodePool* pool,
                           std::size_t chunk = SIZE_MAX);

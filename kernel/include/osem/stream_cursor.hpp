@@ -80,6 +80,8 @@ class StreamCursor {
     void fail(Status status, std::uint64_t offset);
     Status read_header();
     bool load();
+    /// Sees to it that the codes of a look ahead, or all that are left, are in the buffer.
+    [[gnu::always_inline]] bool is_ready() { return at_ < limit_ || load(); }
     void arrive();
     void pass_leaves();
     Passage pass(int floor, std::uint32_t most);

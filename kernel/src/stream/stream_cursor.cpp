@@ -86,7 +86,7 @@ void StreamCursor::fail(Status status, std::uint64_t offset) {
     done_ = true;
 }
 
-// Sees to it that the codes of a look ahead, or all that are left, are in the buffer. Needed from limit_ on.
+// Reads on, keeping what is left in the buffer.
 bool StreamCursor::load() {
     const std::uint64_t end = source_.size - stream_trailer_size;
     unsigned kept = 0;
@@ -109,7 +109,7 @@ bool StreamCursor::load() {
 // Takes the next octant's code. While the path is not whole there is one: as many grey octants as the header
 // says have eight codes each in the payload, and more are refused.
 void StreamCursor::arrive() {
-    if (at_ >= limit_ && !load()) return;
+    if (!is_ready()) return;
     colour_ = static_cast<Colour>(std::uint32_t{buffer_[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
     level_ = static_cast<std::uint8_t>(path_.level());
     ++at_;
@@ -141,7 +141,7 @@ void StreamCursor::next_or_leaves() {
 // or to the end of that octant in any case. Precondition: it is open.
 StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
     Passage passage = {buffer_, 0, 0, 0};
-    if (at_ >= limit_ && !load()) return passage;
+    if (!is_ready()) return passage;
     passage.at = at_;
     passage.nodes = path_.nodes_left_;
     const Status status = source_.checked ? path_.take_checked(buffer_, at_, limit_, most, to_come_)
