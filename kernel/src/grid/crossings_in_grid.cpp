@@ -1,4 +1,5 @@
 // What a face adds to the winding numbers of a grid's reference points.
+#include "grid/edge_functions.hpp"
 #include "grid/face_in_grid.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
@@ -56,6 +57,26 @@ class FaceInGrid::Passages {
         }
     }
 
+    // Rays along x in a box, of which a triangle that turns like this has some. Room for as many words as
+    // there are in two rows.
+    void add_small(EdgeFunctions edges, const IndexRange& y, const IndexRange& z, int turn,
+                   std::uint32_t* places) {
+        std::uint32_t* end = places;
+        PlaneStair row = rows_.across(y.first, z.first);
+        for (int k = z.first; k <= z.last; ++k, row.next(), edges.next_row()) {
+            PlaneStair last(rows_.along_u(), row);
+            std::uint32_t place = RowWindings::place(grid_.row(y.first, k), 0);
+            for (std::uint32_t left = y.count(); left != 0; --left, last.next(), edges.next()) {
+                *end = place + static_cast<std::uint32_t>(last.value());
+                end += int{edges.has()} & int{last.is_within()};
+                place += RowWindings::place(1, 0);
+            }
+            if (end - places < 16 && k != z.last) continue;
+            windings_.add_behind_each(places, end, -turn);
+            end = places;
+        }
+    }
+
   private:
     Passages(const Plane& plane, const OctantGrid& grid, int axis, int guess, int turn, RowWindings& windings)
         : Passages(turn * plane.normal(axis).value(),
@@ -96,6 +117,14 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
     if (plane().normal(axis).value() == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
+    if (small_apart && axis == axis_x && end_ - corners_ == 3 &&
+        along_u.count() * along_v.count() <= most_small_rays) {
+        const int turn = plane().normal(axis_x).sign();
+        Point from = grid_.at(0, along_u.first, along_v.first);
+        for (std::int32_t& coordinate : from.at) coordinate += grid_.offset;
+        const EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift, Seen::points);
+        return passages.add_small(edges, along_u, along_v, turn, scratch);
+    }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)
                 : pass_any(axis, along_u, along_v, passages, scratch);
 }

@@ -1,5 +1,6 @@
 #include "grid/face_in_grid.hpp"
 
+#include "grid/edge_functions.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
@@ -107,8 +108,7 @@ class FaceInGrid::Slabs {
 void FaceInGrid::see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const {
     if (range.is_within(u) || range.is_within(v)) return slabs.fill(range[v], range[u]);
     slabs.fill(range[v], {grid_.side() + 1, -1});
-    const int axis = axis_x + axis_y + axis_z - u - v;
-    const int turn = plane.normal(axis).sign() * (axis == axis_y ? -1 : 1); // (x, z) is left-handed
+    const int turn = turn_of(plane, axis_x + axis_y + axis_z - u - v);
     if (turn >= 0) add_edges(u, v, true, slabs);
     if (turn <= 0) add_edges(u, v, false, slabs);
 }
@@ -138,6 +138,8 @@ class PassedOctants {
 
     /// First and last of the rows from (j, k) on.
     PlaneBand at(int j, int k) { return rows_.at(j, k); }
+    PlaneBand across(int j, int k) const { return rows_.across(j, k); }
+    const PlaneBand::Slope& along_u() const { return rows_.along_u(); }
 
   private:
     PassedOctants(const Plane& plane, const OctantGrid& grid, int guess, int turn)
@@ -175,6 +177,7 @@ void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uin
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
+    if (small_apart && is_small(range)) return mark_small(plane(), range, rows, scratch);
     if (is_convex()) {
         mark_convex(plane(), range, rows, scratch);
     } else {
@@ -214,6 +217,52 @@ void FaceInGrid::mark_convex(const Plane& plane, const Ranges& range, std::uint3
             for (int j = y.first; j <= y.last; ++j, band.next()) {
                 *row++ |= x & x_by_y[j] & band.bits(range[0]);
             }
+        }
+    }
+}
+
+bool FaceInGrid::is_small(const Ranges& range) {
+    if (end_ - corners_ != 3) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (range[axis].count() > most_small_octants) return false;
+        if (plane().normal(axis).value() == 0) return false; // it is seen as a line
+    }
+    return true;
+}
+
+// A word for each row of the box as seen along an axis: which squares of it the triangle is seen to meet.
+void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges& range, std::uint32_t* rows) const {
+    const int axis = axis_x + axis_y + axis_z - u - v;
+    const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
+    EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift, Seen::squares);
+    const std::uint32_t* const end = rows + range[v].count();
+    for (; rows != end; ++rows, edges.next_row()) {
+        std::uint32_t seen = 0; // the last one is the highest bit
+        for (std::uint32_t left = range[u].count(); left != 0; --left, edges.next()) {
+            seen = seen >> 1 | std::uint32_t{edges.has()} << 31;
+        }
+        *rows = seen >> (31 - range[u].last);
+    }
+}
+
+// By the same separating axes, each row and slab of the box from its first one on.
+void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
+                            std::uint32_t* scratch) const {
+    static_assert(scratch_words(4) >= 3 * most_small_octants, "room for what is seen");
+    std::uint32_t* const x_by_y = scratch;
+    std::uint32_t* const x_by_z = x_by_y + range[1].count();
+    std::uint32_t* const y_by_z = x_by_z + range[2].count();
+    see_small(axis_x, axis_y, plane, range, x_by_y);
+    see_small(axis_x, axis_z, plane, range, x_by_z);
+    see_small(axis_y, axis_z, plane, range, y_by_z);
+    PassedOctants passed(plane, grid_, range[0].first);
+    PlaneBand layer = passed.across(range[1].first, range[2].first);
+    for (std::uint32_t k = 0; k < range[2].count(); ++k, layer.next()) {
+        std::uint32_t* row = rows + grid_.row(range[1].first, range[2].first + static_cast<int>(k));
+        const std::uint32_t* x = x_by_y;
+        PlaneBand band(passed.along_u(), layer);
+        for (std::uint32_t y = y_by_z[k] >> range[1].first; y != 0; y >>= 1, band.next()) {
+            *row++ |= (0 - (y & 1U)) & *x++ & x_by_z[k] & band.bits(range[0]);
         }
     }
 }

@@ -110,9 +110,19 @@ class FaceInGrid {
     IndexRange between(int axis) const {
         return grid_.points_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
     }
+    // How corners of a convex face are seen to turn along an axis: 1 for to the left; 0 if it is seen as a
+    // line.
+    [[gnu::always_inline]] static int turn_of(const Plane& plane, int axis) {
+        const int sign = plane.normal(axis).sign();
+        return axis == axis_y ? -sign : sign; // (x, z) is left-handed
+    }
     void mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings);
     void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
+    bool is_small(const Ranges& range);
+    void mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
+                    std::uint32_t* scratch) const;
+    void see_small(int u, int v, const Plane& plane, const Ranges& range, std::uint32_t* rows) const;
     void mark_all(const Ranges& range, std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
     void add_edges(int u, int v, bool rising_right, Slabs& slabs) const;

@@ -55,6 +55,17 @@ class RowWindings {
         }
     }
 
+    /// A row and a point of it; numbered so, the points of all rows follow each other.
+    static constexpr std::uint32_t place(int row, int point) {
+        return static_cast<std::uint32_t>(32 * row + point);
+    }
+    /// Adds 1 or -1 to those behind each of the places [place, end).
+    [[gnu::always_inline]] void add_behind_each(const std::uint32_t* place, const std::uint32_t* end,
+                                                std::int32_t number) {
+        if (planes_ == 2) add_one_behind_each(place, end, number > 0);
+        for (; place != end; ++place) add(row_of(*place), behind(*place & 31U), number);
+    }
+
     /// All is added; the number of the grid's first point is this.
     void finish(std::int32_t winding);
 
@@ -65,7 +76,33 @@ class RowWindings {
     const std::uint32_t* inside();
 
   private:
-    static std::uint32_t behind(const PlaneStair& last) { return ~std::uint32_t{1} << last.value(); }
+    static constexpr std::uint32_t row_of(std::uint32_t place) { return place / 32; }
+    static constexpr std::uint32_t behind(std::uint32_t point) { return ~std::uint32_t{1} << point; }
+    static std::uint32_t behind(const PlaneStair& last) {
+        return behind(static_cast<std::uint32_t>(last.value()));
+    }
+    // Adds 1, or takes it away from numbers if `down` has all bits, while two planes suffice: of what has
+    // outgrown them the sign is wrong.
+    [[gnu::always_inline]] static std::uint32_t add_one(std::uint32_t* low, std::size_t to_sign,
+                                                        std::uint32_t set, std::uint32_t down) {
+        const std::uint32_t carry = set & (*low ^ down);
+        const std::uint32_t outgrown = carry & ~(low[to_sign] ^ down);
+        *low ^= set;
+        low[to_sign] ^= carry;
+        return outgrown;
+    }
+    // As add_behind_each, while they do; goes on to the place behind.
+    [[gnu::always_inline]] void add_one_behind_each(const std::uint32_t*& place, const std::uint32_t* end,
+                                                    bool up) {
+        const std::uint32_t down = up ? 0 : ~std::uint32_t{0};
+        const std::size_t to_sign = rows_;
+        std::uint32_t* const rows = plane(0);
+        while (place != end) {
+            const std::uint32_t row = row_of(*place);
+            const std::uint32_t outgrown = add_one(rows + row, to_sign, behind(*place++ & 31U), down);
+            if (outgrown != 0) return widen(row, outgrown);
+        }
+    }
     // As add_behind, while two planes suffice; goes on to the row behind.
     [[gnu::always_inline]] void add_one_behind(std::uint32_t& row, std::uint32_t end, PlaneStair& last,
                                                bool up) {
@@ -74,11 +111,7 @@ class RowWindings {
         std::uint32_t* const last_low = plane(0) + end;
         for (std::uint32_t* low = plane(0) + row; low != last_low; ++low, last.next()) {
             if (!last.is_within()) continue;
-            const std::uint32_t set = behind(last);
-            const std::uint32_t carry = set & (*low ^ down);
-            const std::uint32_t outgrown = carry & ~(low[to_sign] ^ down);
-            *low ^= set;
-            low[to_sign] ^= carry;
+            const std::uint32_t outgrown = add_one(low, to_sign, behind(last), down);
             if (outgrown == 0) continue;
             row = static_cast<std::uint32_t>(low - plane(0));
             widen(row++, outgrown);

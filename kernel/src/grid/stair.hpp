@@ -46,11 +46,16 @@ class DividedStair {
             step.value += 1;
             step.rest -= d;
         }
+        /// Of the same divisor.
+        Slope(const Slope& other, Value change) : Slope(other.d, change) {}
     };
 
     /// The guess is for those that walk.
     DividedStair(const Slope& slope, Value n, int most, int /*guess*/)
         : slope_(slope), now_(slope.d, n), most_(most) {}
+    /// One with another slope from where this one is. Precondition: its divisor is the same.
+    DividedStair(const Slope& slope, const DividedStair& from)
+        : slope_(slope), now_(from.now_), most_(from.most_) {}
 
     int floor() const {
         const Value not_above = now_.value < most_ ? now_.value : most_;
@@ -87,6 +92,7 @@ class WalkedStair {
         Value d;
         Value by;
         Slope(Value divisor, Value change) : d(divisor), by(change) {}
+        Slope(const Slope& other, Value change) : Slope(other.d, change) {}
     };
 
     WalkedStair(const Slope& slope, Value n, int most, int guess)
@@ -94,6 +100,8 @@ class WalkedStair {
         fall();
         rise();
     }
+    WalkedStair(const Slope& slope, const WalkedStair& from)
+        : slope_(slope), value_(from.value_), rest_(from.rest_), most_(from.most_) {}
 
     int floor() const { return value_; }
     bool is_within() const { return value_ >= 0 && value_ < most_; }
@@ -127,10 +135,13 @@ class DividedBand {
         typename Stair::Slope slope;
         typename Stair::Quotient width;
         Slope(Value d, Value by, Value between) : slope(d, by), width(d, between) {}
+        Slope(const Slope& other, Value by) : slope(other.slope, by), width(other.width) {}
     };
 
     DividedBand(const Slope& slope, Value n, int most, int guess)
         : stair_(slope.slope, n, most, guess), width_(slope.width) {}
+    DividedBand(const Slope& slope, const DividedBand& from)
+        : stair_(slope.slope, from.stair_), width_(from.width_) {}
 
     int floor() const { return stair_.floor(); }
     void next() { stair_.next(); }
@@ -160,10 +171,13 @@ class WalkedBand {
         typename Stair::Slope slope;
         Value width;
         Slope(Value d, Value by, Value between) : slope(d, by), width(between) {}
+        Slope(const Slope& other, Value by) : slope(other.slope, by), width(other.width) {}
     };
 
     WalkedBand(const Slope& slope, Value n, int most, int guess)
         : lower_(slope.slope, n, most, guess), upper_(slope.slope, n + slope.width, most, lower_.floor()) {}
+    WalkedBand(const Slope& slope, const WalkedBand& from)
+        : lower_(slope.slope, from.lower_), upper_(slope.slope, from.upper_) {}
 
     int floor() const { return lower_.floor(); }
     void next() {
@@ -206,6 +220,11 @@ class OverPlane {
         guess_ = stair.floor();
         return stair;
     }
+    /// One along v that begins there: where it is, and is with each next row of rows, one along u begins.
+    Stair across(int u, int v) const {
+        return Stair(typename Stair::Slope(along_u_, by_v_), n_ + u * by_u_ + v * by_v_, most_, guess_);
+    }
+    const typename Stair::Slope& along_u() const { return along_u_; }
 
   private:
     typename Stair::Slope along_u_;
