@@ -44,7 +44,7 @@ std::int32_t random_coordinate(std::mt19937& random) {
     return static_cast<std::int32_t>(random() % (std::uint32_t{root_side} + 1));
 }
 
-Box random_box(std::mt19937& random) {
+Box some_box(std::mt19937& random) {
     Box box = {{{0, 0, 0}}, {{0, 0, 0}}, random() % 2 == 0 ? 1 : -1};
     for (int axis = 0; axis < 3; ++axis) {
         while (box.low.at[axis] == box.high.at[axis]) {
@@ -79,7 +79,7 @@ TEST(Convert, RandomBoxes) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         std::mt19937 random(seed);
         std::vector<Box> boxes;
-        for (std::uint32_t i = 0; i < 1 + seed / 5 % 4; ++i) boxes.push_back(random_box(random));
+        for (std::uint32_t i = 0; i < 1 + seed / 5 % 4; ++i) boxes.push_back(some_box(random));
         expect_boxes(boxes, seed);
     }
 }

@@ -167,6 +167,22 @@ TEST(GridConversionWork, ScratchForLongLists) {
     EXPECT_TRUE(same_leaves(outcome.tree, divided.tree));
 }
 
+TEST(GridConversionWork, ScratchForPlacedFaces) {
+    const SmallSolid solid = dented_ball(9, 1);
+    const ConvertOptions options = {5};
+    GridConversion job;
+    GridScratch enough(grid_scratch(solid.view(), 5, 3));
+    ASSERT_EQ(enough.run(job, solid, options, nullptr, 3).status, Status::ok);
+    const std::uint32_t used = job.scratch_used();
+    EXPECT_LT(used, 3 * solid.face_count() + 64 * 4 + 200) << "a list of all faces above the last grid's rows";
+    for (std::uint32_t size = solid.face_count() - 1; size < used; size += 7) {
+        GridScratch scratch(size);
+        ASSERT_EQ(scratch.run(job, solid, options, nullptr, 3).status, Status::scratch_too_small) << size;
+    }
+    GridScratch exact(used);
+    EXPECT_EQ(exact.run(job, solid, options, nullptr, 3).status, Status::ok);
+}
+
 TEST(GridConversionWork, TheCountGrowsToTheNodesNeededAndThePoolIsKnownToHaveRunOut) {
     const SmallSolid solid = octahedron_solid(Octahedron{{{400001, 500003, 600005}}, 399999});
     const ConvertOptions options = {5};

@@ -84,7 +84,7 @@ std::int32_t random_bound(std::mt19937& random, std::int32_t side) {
     }
 }
 
-CellBox random_box(std::mt19937& random, std::int32_t side) {
+CellBox box_of_cells(std::mt19937& random, std::int32_t side) {
     CellBox box = {};
     for (unsigned axis = 0; axis < 3; ++axis) {
         std::int32_t low = random_bound(random, side);
@@ -183,7 +183,7 @@ TEST(BoxQuery, AgreesWithEveryCellOfTheGrid) {
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);
         for (int i = 0; i < 100; ++i) {
-            const CellBox box = random_box(random, grid.cell_side());
+            const CellBox box = box_of_cells(random, grid.cell_side());
             const BoxOutcome found = colours_in(tree, box);
             ASSERT_TRUE(agrees(found, expected_in(grid, box))) << "seed " << seed << ", box " << i;
             touching += found.touches ? 1U : 0U;
@@ -205,7 +205,7 @@ TEST(BoxQuery, AgreesInSparseGrids) {
         HeapPool pool(100);
         const Octree tree = planted(grid, *pool);
         for (int i = 0; i < 200; ++i) {
-            const CellBox box = random_box(random, grid.cell_side());
+            const CellBox box = box_of_cells(random, grid.cell_side());
             ASSERT_TRUE(agrees(colours_in(tree, box), expected_in(grid, box))) << seed << " " << i;
         }
     }
@@ -236,7 +236,7 @@ TEST(BoxQuery, VisitsNoMoreThanTheNodesAround) {
         HeapPool pool(5000);
         const Octree tree = planted(grid, *pool);
         for (int i = 0; i < 50; ++i) {
-            const CellBox box = random_box(random, grid.cell_side());
+            const CellBox box = box_of_cells(random, grid.cell_side());
             const BoxOutcome found = colours_in(tree, box);
             const std::uint32_t around = nodes_near(tree, box);
             ASSERT_GE(found.visited, 1U);
@@ -339,7 +339,7 @@ TEST(BoxQuery, UniformTrees) {
         const Octree tree = Octree::uniform(*pool, colour);
         for (int i = 0; i < 100; ++i) {
             const CellBox box =
-                i == 0 ? CellBox{{{0, 0, 0}}, {{root_side, root_side, root_side}}} : random_box(random, 1024);
+                i == 0 ? CellBox{{{0, 0, 0}}, {{root_side, root_side, root_side}}} : box_of_cells(random, 1024);
             const BoxOutcome found = colours_in(tree, box);
             ASSERT_EQ(found.status, Status::ok);
             EXPECT_TRUE(found.all(colour));

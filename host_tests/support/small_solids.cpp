@@ -301,4 +301,35 @@ Colour diamond_centre_colour(const Diamond& diamond, const Point& corner, std::i
     return near && diamond.low <= along && along < diamond.high ? Colour::black : Colour::white;
 }
 
+SmallSolid dented_ball(int edge, std::int32_t rounded_to) {
+    const auto corner = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+        const auto hash = static_cast<std::uint32_t>(x * 7919 + y * 104729 + z * 1299709);
+        const auto dent = static_cast<std::int32_t>((hash * 2654435761U) >> 19); // below 2^13
+        Point point = {{x, y, z}};
+        for (std::int32_t& at : point.at) {
+            at = root_side / 2 + at * (400000 / edge) - at * dent / edge;
+            at = at / rounded_to * rounded_to;
+        }
+        return point;
+    };
+    SmallSolid solid;
+    for (int octant = 0; octant < 8; ++octant) {
+        const auto at = [&](int i, int j) {
+            const int k = edge - i - j;
+            return corner((octant & 1) == 0 ? i : -i, (octant & 2) == 0 ? j : -j, (octant & 4) == 0 ? k : -k);
+        };
+        const bool turned = ((octant ^ octant >> 1 ^ octant >> 2) & 1) != 0;
+        const auto add = [&](const Point& a, const Point& b, const Point& c) {
+            solid.add_face({turned ? Polygon{a, c, b} : Polygon{a, b, c}});
+        };
+        for (int i = 0; i < edge; ++i) {
+            for (int j = 0; i + j < edge; ++j) {
+                add(at(i, j), at(i + 1, j), at(i, j + 1));
+                if (i + j + 1 < edge) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            }
+        }
+    }
+    return solid;
+}
+
 } // namespace osem::tests

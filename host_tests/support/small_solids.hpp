@@ -100,6 +100,10 @@ SmallSolid diamond_solid(const Diamond& diamond);
 Colour diamond_colour(const Diamond& diamond, const Point& corner, std::int32_t side);
 Colour diamond_centre_colour(const Diamond& diamond, const Point& corner, std::int32_t side);
 
+/// A ball of so many triangles along each edge of an octahedron, with dents. Its corners are rounded to
+/// multiples of a number: the greater it is, the more of them lie on octants' borders.
+SmallSolid dented_ball(int edge, std::int32_t rounded_to);
+
 } // namespace osem::tests
 
 #endif

@@ -25,11 +25,13 @@ constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
 constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 84; }
 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
-/// a last grid divides it, otherwise of three words each and 64 behind them. A last grid takes four words
+/// a last grid divides it, otherwise of three words each and 64 behind them (the innermost one 128).
+/// Triangles of which it is known beforehand that they meet one or two of the octants that last grids divide
+/// are in no list above them, but take two words for each of these. A last grid takes four words
 /// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and
 /// one more a row each time that what winding numbers in a row differ by from its first one outgrows a power
 /// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for
-/// 32 x 32 rows, 64 for each grid above, about 3.5 a face and 100 are mostly enough.
+/// 32 x 32 rows, 64 for each grid above, about 3 a face and 100 are mostly enough.
 /// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
@@ -67,19 +69,19 @@ class GridConversion {
     /// Starts. Nodes go to `pool`; with a null pool this is a counting pass.
     /// Of an octant other than the root the tree is the subtree below it, of depth options.depth less the
     /// octant's level: so the eight children of an octant may be converted side by side, by a job each.
-    /// Scratch: at least a list of all faces (a word each if the first grid is the last, else three),
-    /// grid_scratch(solid.view(), that depth, grids.last_levels) words for certain; in use until finish. A
-    /// conversion that was not finished is given up first. Status: ok; depth_out_of_range, also for
-    /// last_levels and for an octant that is none or not above full depth; scratch_too_small for the faces.
-    /// When not ok, nothing has begun.
+    /// Scratch: at least a word for each face, grid_scratch(solid.view(), that depth, grids.last_levels)
+    /// words for certain; in use until finish. A conversion that was not finished is given up first. Status:
+    /// ok; depth_out_of_range, also for last_levels and for an octant that is none or not above full depth;
+    /// scratch_too_small for the faces. When not ok, nothing has begun.
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                  std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids = GridOptions());
 
-    /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
-    /// grid above; each triangle or convex quadrangle that meets the grid's octant against the rows that it
-    /// is seen to meet and to cross; for other faces a classification of each octant near their rings (or of
-    /// each near their plane, see above), and each edge against each row of rows; in a last grid also a few
-    /// steps a row and leaf on the surface.
+    /// Visits up to `grids` grids; false when none is left. Cost of one visit: the first one looks at each
+    /// face's corners; a pass over the list of the grid above, and two over the placed faces; each triangle
+    /// or convex quadrangle that meets the grid's octant against the rows that it is seen to meet and to
+    /// cross; for other faces a classification of each octant near their rings (or of each near their plane,
+    /// see above), and each edge against each row of rows; in a last grid also a few steps a row and leaf on
+    /// the surface.
     bool step(std::uint32_t grids);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.
@@ -95,7 +97,7 @@ class GridConversion {
     std::uint32_t nodes_counted() const { return builder_.nodes_counted(); }
 
     /// The most words of scratch in use at once so far.
-    std::uint32_t scratch_used() const { return scratch_used_; }
+    std::uint32_t scratch_used() const { return scratch_used_ + (scratch_size_ - room_); }
 
     /// The tree. Called before step has returned false it gives the conversion up. Status: ok;
     /// scratch_too_small when a list did not fit; pool_exhausted (nodes_missing is 0, for unknown, if given
@@ -108,6 +110,8 @@ class GridConversion {
         Point corner;         ///< of the grid's octant
         std::uint32_t first;  ///< word of its list
         std::uint32_t faces;  ///< in the list
+        std::uint32_t placed; ///< faces placed from the beginning: the first one that meets octants left
+        std::uint32_t placed_end;
         std::uint64_t left;   ///< octants met and not yet visited, in Morton order
         std::uint64_t inside; ///< black ones among the others, in Morton order
         std::uint8_t child;   ///< the open child of the grid's octant
@@ -116,9 +120,12 @@ class GridConversion {
         Point corner;         ///< of the octant entered
         std::uint32_t first;  ///< word of its list
         std::uint32_t faces;  ///< in the list
+        std::uint32_t placed; ///< the first face placed in it, and the end
+        std::uint32_t placed_end;
         std::int32_t winding; ///< number of its reference point
     };
     bool enter_root(Entry& entry);
+    bool list_or_place(std::uint32_t face, const std::uint32_t* octants, std::uint32_t count, Entry& root);
     bool enter_next(Entry& entry);
     void visit(const Entry& entry);
     void open_child(Frame& frame, unsigned child);
@@ -133,6 +140,7 @@ class GridConversion {
         return octant_.level + levels_above() - 2 * (nested_grids(levels_above()) - 1 - grid);
     }
     bool is_of_eight(int grid) const { return level_of(grid) == octant_.level + 1; }
+    int levels_below(int grid) const { return octant_.level + levels_above() - level_of(grid); }
     bool is_last() const { return grids_ == nested_grids(levels_above()); }
     std::int32_t offset() const {
         return options_.leaves == LeafRule::centre ? root_side >> (options_.depth + 1) : 0;
@@ -143,6 +151,7 @@ class GridConversion {
     std::uint32_t* scratch_ = nullptr;
     std::uint32_t scratch_size_ = 0;
     std::uint32_t scratch_used_ = 0;
+    std::uint32_t room_ = 0; ///< words of scratch in front of the placed faces
     std::uint64_t visited_ = 0;
     Octant octant_ = root_octant;
     int last_levels_ = 1;

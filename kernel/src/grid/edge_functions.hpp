@@ -9,9 +9,9 @@
 
 namespace osem {
 
-/// Whether triangles that are small in a grid are dealt with apart: each place in their bounding box is looked
-/// at, so no ends of edges are to be found, which would be guesses at branches. Parts where wrong guesses cost
-/// little have more to do so.
+/// Whether triangles that are small in a grid are dealt with apart: each place in their bounding box is
+/// looked at, so no ends of edges are to be found, which would be guesses at branches. Parts where wrong
+/// guesses cost little have more to do so.
 #if defined(__LP64__)
 constexpr bool small_apart = true;
 #else
@@ -64,8 +64,9 @@ class EdgeFunctions {
             const Point& b = solid.vertices[second];
             by_v = turn * (b.at[u] - a.at[u]);
             by_u = -turn * (b.at[v] - a.at[v]);
-            const std::int64_t inside = std::int64_t{by_u} * (from.at[u] - a.at[u]) + // below 2^42
-                                        std::int64_t{by_v} * (from.at[v] - a.at[v]);
+            const std::int64_t to_u = from.at[u] - a.at[u];
+            const std::int64_t to_v = from.at[v] - a.at[v];
+            const std::int64_t inside = to_u * by_u + to_v * by_v; // below 2^42
             if (seen == Seen::points) {
                 value = scaled(inside - (by_u < 0 || (by_u == 0 && by_v < 0) ? 1 : 0), shift);
             } else {

@@ -262,7 +262,8 @@ void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32
         const std::uint32_t* x = x_by_y;
         PlaneBand band(passed.along_u(), layer);
         for (std::uint32_t y = y_by_z[k] >> range[1].first; y != 0; y >>= 1, band.next()) {
-            *row++ |= (0 - (y & 1U)) & *x++ & x_by_z[k] & band.bits(range[0]);
+            const std::uint32_t all_or_none = (y & 1U) == 0 ? 0 : ~std::uint32_t{0};
+            *row++ |= all_or_none & *x++ & x_by_z[k] & band.bits(range[0]);
         }
     }
 }

@@ -3,6 +3,7 @@
 #include "classify/crossing.hpp"
 #include "grid/face_in_grid.hpp"
 #include "grid/leaves.hpp"
+#include "grid/placed_faces.hpp"
 #include "tree/masks.hpp"
 #include "tree/run_to_end.hpp"
 
@@ -21,11 +22,12 @@ static_assert(last_grid_space(4) >= FaceInGrid::scratch_words(4) &&
 static_assert(last_grid_space(4) >= 16 + 4 && last_grid_space(5) >= 64 + 16 + 4,
               "room for the parts' states");
 
-// Words of a list, behind each other: the faces; above the last grid also which octants each of them meets,
-// the low halves first, then the high ones; and the winding numbers.
-constexpr std::uint64_t list_words(bool last, std::uint32_t faces) {
-    return last ? faces : std::uint64_t{3} * faces;
+// Words of a list above the last grids, behind each other: the faces; which octants each of them meets, the
+// low halves first, then the high ones; and the winding numbers, where the placed faces are sorted before.
+constexpr std::uint64_t words_above(std::uint32_t faces) {
+    return std::uint64_t{3} * faces + PlacedFaces::words_to_sort;
 }
+static_assert(PlacedFaces::words_to_sort >= winding_words + 3 * 16, "room for rows' winding numbers");
 constexpr std::uint32_t in_a_look = 8; // halves that are looked at at once
 static_assert(winding_words >= in_a_look, "a look at the last half ends in the words behind it");
 
@@ -50,17 +52,27 @@ struct GridList {
         }
         return met;
     }
+};
 
-    // The same, the octants met in rows, if they are wanted.
-    void meet_leaves(const OctantGrid& grid, RowWindings& windings, std::uint32_t* met,
-                     std::uint32_t* space) const {
-        for (std::uint32_t i = 0; i < count; ++i) {
-            FaceInGrid face(solid, faces[i], grid);
-            if (met != nullptr) face.mark(met, space, windings.spare_words());
-            face.add_crossings(windings, space);
-        }
+// A grid of leaves, and what is found out about them from face to face: which are met, if that is wanted, and
+// what is crossed.
+struct GridOfLeaves {
+    const Solid& solid;
+    const OctantGrid& grid;
+    RowWindings& windings;
+    std::uint32_t* met;
+    std::uint32_t* space;
+
+    void meet(std::uint32_t number) {
+        FaceInGrid face(solid, number, grid);
+        if (met != nullptr) face.mark(met, space, windings.spare_words());
+        face.add_crossings(windings, space);
     }
 };
+
+PlacedFaces::Digit digit_at(int levels_below, bool of_eight) {
+    return {3 * static_cast<unsigned>(levels_below), of_eight ? 7U : 63U};
+}
 
 } // namespace
 
@@ -74,16 +86,14 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
     if (grids.last_levels < 1 || grids.last_levels > most_grid_levels) return Status::depth_out_of_range;
     if (!is_octant(grids.octant) || grids.octant.level >= options.depth) return Status::depth_out_of_range;
     const int levels = options.depth - grids.octant.level;
-    const bool first_is_last = upper_levels(levels, grids.last_levels) == 0;
-    if (scratch_size < list_words(first_is_last, solid.view().face_count)) {
-        return Status::scratch_too_small;
-    }
+    if (scratch_size < solid.view().face_count) return Status::scratch_too_small;
     octant_ = grids.octant;
     last_levels_ = grids.last_levels < levels ? grids.last_levels : levels;
     solid_ = solid.view();
     options_ = options;
     scratch_ = scratch;
     scratch_size_ = scratch_size;
+    room_ = scratch_size;
     scratch_used_ = 0;
     visited_ = 0;
     grids_ = 0;
@@ -126,8 +136,9 @@ bool GridConversion::enter_root(Entry& entry) {
     Point start = octant_.corner; // where the way along x to the octant's reference point enters the root
     start.at[axis_x] = -1;
     for (int axis = 1; axis < 3; ++axis) start.at[axis] += offset();
-    entry = Entry{octant_.corner, 0, 0, 0};
+    entry = Entry{octant_.corner, 0, 0, 0, 0, 0};
     const std::int32_t length = octant_.corner.x() + offset() + 1;
+    const LastOctants last = {octant_, levels_above(), offset()};
     for (std::uint32_t face = 0; face < solid_.face_count; ++face) {
         const Extent extent(solid_, face);
         bool overlaps = true;
@@ -135,11 +146,32 @@ bool GridConversion::enter_root(Entry& entry) {
             const std::int32_t corner = octant_.corner.at[axis];
             overlaps = overlaps && extent.overlaps(axis, corner, corner + octant_.side());
         }
-        if (overlaps) scratch_[entry.faces++] = face;
+        if (overlaps) {
+            const FacePlaces places = places_of(solid_, face, extent, last);
+            if (!list_or_place(face, places.octants, places.count, entry)) {
+                overflow();
+                return false;
+            }
+        }
         if (!extent.has(axis_y, start.y()) || !extent.has(axis_z, start.z())) continue;
         entry.winding += crossing(solid_, face, start, axis_x, length);
     }
-    return reserve(0, entry.faces); // as begin has seen
+    entry.placed_end = (scratch_size_ - room_) / PlacedFaces::words;
+    return reserve(0, entry.faces);
+}
+
+// Places a face in so many octants, or lists it if these are none. False when there is no room.
+bool GridConversion::list_or_place(std::uint32_t face, const std::uint32_t* octants, std::uint32_t count,
+                                   Entry& root) {
+    const std::uint32_t words = count == 0 ? 1 : count * PlacedFaces::words;
+    if (words > room_ - root.faces) return false;
+    if (count == 0) scratch_[root.faces++] = face;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        room_ -= PlacedFaces::words;
+        scratch_[room_] = octants[i];
+        scratch_[room_ + 1] = face;
+    }
+    return true;
 }
 
 // Goes on to the next octant of the innermost grid that faces meet. False when there is no room for its list.
@@ -151,8 +183,15 @@ bool GridConversion::enter_next(Entry& entry) {
     builder_.open(m & 7U);
     const unsigned place = place_of(m);
     const std::uint32_t windings = above.first + 3 * above.faces;
-    entry =
-        Entry{above.corner, windings + winding_words, 0, static_cast<std::int32_t>(scratch_[windings + m])};
+    const PlacedFaces::Range placed = PlacedFaces{scratch_ + room_}.front(
+        {above.placed, above.placed_end}, digit_at(levels_below(grids_ - 1), is_of_eight(grids_ - 1)), m);
+    above.placed = placed.end;
+    entry = Entry{above.corner,
+                  windings + winding_words,
+                  0,
+                  placed.first,
+                  placed.end,
+                  static_cast<std::int32_t>(scratch_[windings + m])};
     const int shift = lattice_bits - level_of(grids_ - 1);
     for (unsigned axis = 0; axis < 3; ++axis) {
         entry.corner.at[axis] += static_cast<std::int32_t>(place >> (2 * axis) & 3U) << shift;
@@ -181,7 +220,7 @@ bool GridConversion::select(const Frame& above, unsigned place, Entry& entry) {
     const std::uint32_t* const halves = faces + words_before;
     const unsigned bit = place & 31U;
     std::uint32_t* const list = scratch_ + entry.first;
-    const std::uint32_t room = scratch_size_ - entry.first;
+    const std::uint32_t room = room_ - entry.first;
     std::uint32_t count = 0;
     for (std::uint32_t first = 0; first < above.faces; first += in_a_look) {
         std::uint32_t any = 0;
@@ -198,7 +237,7 @@ bool GridConversion::select(const Frame& above, unsigned place, Entry& entry) {
 
 // Whether the scratch has so many words behind others; they are then in use.
 bool GridConversion::reserve(std::uint32_t first, std::uint32_t words) {
-    if (words > scratch_size_ - first) return false;
+    if (words > room_ - first) return false;
     if (scratch_used_ < first + words) scratch_used_ = first + words;
     return true;
 }
@@ -214,34 +253,37 @@ void GridConversion::visit(const Entry& entry) {
     const int level = level_of(grids_);
     const OctantGrid grid = {entry.corner, lattice_bits - level, offset(), is_of_eight(grids_) ? 1 : 2};
     const GridList list = {solid_, scratch_ + entry.first, entry.faces};
-    const std::uint64_t needed = list_words(false, entry.faces) + winding_words;
-    if (needed > scratch_size_ - entry.first) return overflow();
-    const auto behind = static_cast<std::uint32_t>(entry.first + needed);
-    const std::uint32_t words = behind - winding_words;
-    reserve(words, winding_words);
-    RowWindings windings(scratch_ + behind, scratch_size_ - behind, grid.levels, options_.winding);
-    if (windings.overflowed()) return overflow();
-    const std::uint64_t met = list.meet(grid, windings, scratch_ + entry.first + entry.faces,
-                                        scratch_ + words); // where winding numbers are to be
+    if (words_above(entry.faces) > room_ - entry.first) return overflow();
+    const std::uint32_t words = entry.first + 3 * entry.faces;
+    reserve(words, PlacedFaces::words_to_sort);
+    const std::uint64_t met_by_placed = PlacedFaces{scratch_ + room_}.sort(
+        {entry.placed, entry.placed_end}, digit_at(levels_below(grids_), is_of_eight(grids_)),
+        scratch_ + words);
+    const std::uint32_t behind = words + winding_words;
+    RowWindings windings(scratch_ + behind, room_ - behind, grid.levels, options_.winding);
+    OSEM_ASSERT(!windings.overflowed());
+    const std::uint64_t met_by_list = list.meet(grid, windings, scratch_ + entry.first + entry.faces,
+                                                scratch_ + words); // where winding numbers are to be
     if (windings.overflowed()) return overflow();
     windings.finish(entry.winding);
     reserve(behind, windings.words_used());
     for (std::uint32_t i = 0; i < in_a_look; ++i) scratch_[words + i] = 0; // looked at with the last halves
-    const std::uint64_t open = in_morton_order(met);
+    const std::uint64_t open = in_morton_order(met_by_list) | met_by_placed;
     for (std::uint64_t left = open; left != 0; left &= left - 1) {
         const unsigned m = lowest_of(left);
         const unsigned place = place_of(m);
         const std::uint32_t row = (place >> 2 & 3U) + ((place >> 4) << grid.levels);
         scratch_[words + m] = static_cast<std::uint32_t>(windings.at(row, place & 3U));
     }
-    const std::uint64_t inside = in_morton_order(as_mask(windings.inside(), 0, grid.levels) & ~met);
+    const std::uint64_t inside = in_morton_order(as_mask(windings.inside(), 0, grid.levels)) & ~open;
     if (is_of_eight(grids_)) {
         builder_.leaves(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(inside));
     } else {
         builder_.grandchildren(inside, inside, open);
     }
     if (open == 0) return close();
-    frames_[grids_++] = Frame{entry.corner, entry.first, entry.faces, open, inside, no_child};
+    frames_[grids_++] =
+        Frame{entry.corner, entry.first, entry.faces, entry.placed, entry.placed_end, open, inside, no_child};
 }
 
 // A grid whose octants are leaves.
@@ -252,14 +294,16 @@ void GridConversion::visit_last(const Entry& entry) {
     const std::uint32_t list_end = entry.first + entry.faces;
     const std::uint32_t behind = list_end + (three_valued ? rows : 0) + last_grid_space(last_levels_);
     if (!reserve(list_end, behind - list_end)) return overflow();
-    const GridList list = {solid_, scratch_ + entry.first, entry.faces};
     std::uint32_t* const met = three_valued ? scratch_ + list_end + last_grid_space(last_levels_) : nullptr;
     if (three_valued) {
         for (std::uint32_t row = 0; row < rows; ++row) met[row] = 0;
     }
-    RowWindings windings(scratch_ + behind, scratch_size_ - behind, last_levels_, options_.winding);
+    RowWindings windings(scratch_ + behind, room_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
-    list.meet_leaves(grid, windings, met, scratch_ + list_end);
+    GridOfLeaves leaves = {solid_, grid, windings, met, scratch_ + list_end};
+    for (std::uint32_t i = 0; i < entry.faces; ++i) leaves.meet(scratch_[entry.first + i]);
+    const PlacedFaces placed = {scratch_ + room_};
+    for (std::uint32_t i = entry.placed; i != entry.placed_end; ++i) leaves.meet(placed.face(i));
     if (windings.overflowed()) return overflow();
     windings.finish(entry.winding);
     reserve(behind, windings.words_used());

@@ -1,0 +1,118 @@
+// What small triangles are seen to have of a grid's points and squares, against the sides of their edges.
+#include "grid/edge_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <random>
+
+namespace osem::tests {
+
+namespace {
+
+using Plane2 = std::array<std::int64_t, 2>;
+using Triangle2 = std::array<Plane2, 3>;
+
+// Twice the area of a triangle whose corners turn to the left.
+std::int64_t turn_of(const Plane2& a, const Plane2& b, const Plane2& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+// The point moved by (e, e^2): e = 2^-21 and all numbers 2^42 times as large tell what every smaller e does,
+// as differences of coordinates are below 2^20.
+bool has_point(const Triangle2& triangle, const Plane2& point, int turn) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const Plane2& a = triangle[edge];
+        const Plane2& b = triangle[(edge + 1) % 3];
+        const auto moved = static_cast<__int128>(turn_of(a, b, point)) * (std::int64_t{1} << 42) -
+                           (b[1] - a[1]) * (std::int64_t{1} << 21) + (b[0] - a[0]);
+        if (moved * turn < 0) return false;
+    }
+    return true;
+}
+
+// Whether some corner is on the inner side of each edge. With the box around the triangle, which is the
+// caller's, these are all axes that may separate a square from it.
+bool meets_square(const Triangle2& triangle, const Plane2& corner, std::int64_t side, int turn) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        bool inside = false;
+        for (int k = 0; k < 4; ++k) {
+            const Plane2 point = {corner[0] + (k & 1) * side, corner[1] + (k >> 1) * side};
+            inside = inside || turn * turn_of(triangle[edge], triangle[(edge + 1) % 3], point) > 0;
+        }
+        if (!inside) return false;
+    }
+    return true;
+}
+
+struct Case {
+    Point points[3];
+    Triangle2 seen;
+    std::uint32_t corners[3] = {0, 1, 2};
+    Point from;
+    int shift;
+    int turn = 0;
+
+    // Triangles near the grid's corner, many with corners on its lines.
+    Case(std::mt19937& random, int u, int v) {
+        shift = std::uniform_int_distribution<int>(0, 14)(random);
+        const std::int32_t side = std::int32_t{1} << shift;
+        const auto coordinate = [&](std::int32_t cells) {
+            const std::int32_t line = std::uniform_int_distribution<std::int32_t>(0, cells)(random) * side;
+            return std::uniform_int_distribution<int>(0, 2)(random) == 0
+                       ? line
+                       : line + std::uniform_int_distribution<std::int32_t>(0, side - 1)(random);
+        };
+        for (std::int32_t& at : from.at) at = coordinate(20);
+        while (turn == 0) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (int axis = 0; axis < 3; ++axis) points[k].at[axis] = coordinate(40);
+                seen[k] = {points[k].at[u], points[k].at[v]};
+            }
+            const std::int64_t area = turn_of(seen[0], seen[1], seen[2]);
+            turn = area > 0 ? 1 : area < 0 ? -1 : 0;
+        }
+    }
+};
+
+template <class Expected>
+void compare(Seen what, const Expected& expected) {
+    std::mt19937 random(3);
+    int had = 0;
+    for (int trial = 0; trial < 6000; ++trial) {
+        const int axis = trial % 3;
+        const int u = u_of[axis];
+        const int v = v_of[axis];
+        const Case triangle(random, u, v);
+        const Solid solid = {triangle.points, 3, triangle.corners, 3, nullptr, nullptr, 1};
+        EdgeFunctions edges(solid, triangle.corners, u, v, triangle.turn, triangle.from, triangle.shift,
+                            what);
+        for (int j = 0; j < 16; ++j, edges.next_row()) {
+            for (int i = 0; i < 16; ++i, edges.next()) {
+                const Plane2 place = {triangle.from.at[u] + (std::int64_t{i} << triangle.shift),
+                                      triangle.from.at[v] + (std::int64_t{j} << triangle.shift)};
+                ASSERT_EQ(edges.has(), expected(triangle, place)) << trial << ": " << i << ", " << j;
+                had += edges.has() ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(had, 6000 * 256 / 100);
+    EXPECT_LT(had, 6000 * 256 / 2);
+}
+
+TEST(EdgeFunctions, TellPointsInside) {
+    compare(Seen::points, [](const Case& triangle, const Plane2& point) {
+        return has_point(triangle.seen, point, triangle.turn);
+    });
+}
+
+TEST(EdgeFunctions, TellSquaresThatNoEdgeSeparates) {
+    compare(Seen::squares, [](const Case& triangle, const Plane2& corner) {
+        return meets_square(triangle.seen, corner, std::int64_t{1} << triangle.shift, triangle.turn);
+    });
+}
+
+} // namespace
+
+} // namespace osem::tests

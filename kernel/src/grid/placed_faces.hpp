@@ -1,0 +1,72 @@
+// Faces of which it is known from the beginning which of the last grids' octants they meet.
+#ifndef OSEM_GRID_PLACED_FACES_HPP
+#define OSEM_GRID_PLACED_FACES_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "grid/extent.hpp"
+#include "osem/lattice.hpp"
+
+namespace osem {
+
+/// The octants that the last grids divide, and where their reference points lie.
+struct LastOctants {
+    Octant octant;       ///< that they make up
+    int levels;          ///< how far below it they are
+    std::int32_t offset; ///< of reference points from minimum corners
+};
+
+/// The last grids' octants that a face meets, by their numbers in Morton order. There are two at most; if
+/// there is none the face is not placed.
+struct FacePlaces {
+    std::uint32_t count;
+    std::uint32_t octants[2];
+};
+
+/// Places a triangle if it lies between the sides of one octant, or along one axis in two, which it then
+/// meets, and reaches past reference points along one axis at most, so that it lies on no way from one to
+/// another. None is placed in octants that are 11 levels below or more: their numbers would be longer than a
+/// word.
+FacePlaces places_of(const Solid& solid, std::uint32_t face, const Extent& extent,
+                     const LastOctants& octants);
+
+/// Placed faces: two words each, an octant's number and the face that meets it.
+struct PlacedFaces {
+    /// Some of them, from `first` on.
+    struct Range {
+        std::uint32_t first;
+        std::uint32_t end;
+    };
+    /// Which bits of octants' numbers say in which part of an octant above they lie.
+    struct Digit {
+        unsigned shift;
+        std::uint32_t greatest; ///< 7 or 63
+
+        std::uint32_t of(std::uint32_t octant) const { return octant >> shift & greatest; }
+    };
+    static constexpr std::uint32_t words = 2; ///< a face
+    static constexpr std::uint32_t words_to_sort = 128;
+
+    std::uint32_t* memory;
+
+    std::uint32_t octant(std::uint32_t i) const { return at(i)[0]; }
+    std::uint32_t face(std::uint32_t i) const { return at(i)[1]; }
+
+    /// Sorts a range by a digit; the set of those that there are. Cost: O(range). Space: words_to_sort.
+    std::uint64_t sort(const Range& range, const Digit& digit, std::uint32_t* space) const;
+
+    /// The first of a sorted range with that digit in front, up to where others begin.
+    Range front(const Range& range, const Digit& digit, std::uint32_t value) const {
+        Range front = {range.first, range.first};
+        while (front.end != range.end && digit.of(octant(front.end)) == value) ++front.end;
+        return front;
+    }
+
+  private:
+    std::uint32_t* at(std::uint32_t i) const { return &memory[std::size_t{words} * i]; }
+};
+
+} // namespace osem
+
+#endif
