@@ -173,6 +173,54 @@ class PassedOctants {
     return band.floor() < 0 && band.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
+inline bool FaceInGrid::is_small(const Ranges& range) {
+    if (end_ - corners_ != 3) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (range[axis].count() > most_small_octants) return false;
+        if (plane().normal(axis).value() == 0) return false; // it is seen as a line
+    }
+    return true;
+}
+
+// A word for each row of the box as seen along an axis: which squares of it the triangle is seen to meet.
+inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges& range,
+                                  std::uint32_t* rows) const {
+    const int axis = axis_x + axis_y + axis_z - u - v;
+    const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
+    EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift, Seen::squares);
+    const std::uint32_t* const end = rows + range[v].count();
+    for (; rows != end; ++rows, edges.next_row()) {
+        std::uint32_t seen = 0; // the last one is the highest bit
+        for (std::uint32_t left = range[u].count(); left != 0; --left, edges.next()) {
+            seen = seen >> 1 | std::uint32_t{edges.has()} << 31;
+        }
+        *rows = seen >> (31 - range[u].last);
+    }
+}
+
+// By the same separating axes, each row and slab of the box from its first one on.
+inline void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
+                                   std::uint32_t* scratch) const {
+    static_assert(scratch_words(4) >= 3 * most_small_octants, "room for what is seen");
+    std::uint32_t* const x_by_y = scratch;
+    std::uint32_t* const x_by_z = x_by_y + range[1].count();
+    std::uint32_t* const y_by_z = x_by_z + range[2].count();
+    see_small(axis_x, axis_y, plane, range, x_by_y);
+    see_small(axis_x, axis_z, plane, range, x_by_z);
+    see_small(axis_y, axis_z, plane, range, y_by_z);
+    PassedOctants passed(plane, grid_, range[0].first);
+    PlaneBand layer = passed.across(range[1].first, range[2].first);
+    for (std::uint32_t k = 0; k < range[2].count(); ++k, layer.next()) {
+        std::uint32_t* row = rows + grid_.row(range[1].first, range[2].first + static_cast<int>(k));
+        const std::uint32_t* x = x_by_y;
+        PlaneBand band(passed.along_u(), layer);
+        for (std::uint32_t y = y_by_z[k] >> range[1].first; y != 0; y >>= 1, band.next()) {
+            const std::uint32_t all_or_none = (y & 1U) == 0 ? 0 : ~std::uint32_t{0};
+            *row++ |= all_or_none & *x++ & x_by_z[k] & band.bits(range[0]);
+        }
+    }
+}
+
 void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
@@ -217,53 +265,6 @@ void FaceInGrid::mark_convex(const Plane& plane, const Ranges& range, std::uint3
             for (int j = y.first; j <= y.last; ++j, band.next()) {
                 *row++ |= x & x_by_y[j] & band.bits(range[0]);
             }
-        }
-    }
-}
-
-bool FaceInGrid::is_small(const Ranges& range) {
-    if (end_ - corners_ != 3) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (range[axis].count() > most_small_octants) return false;
-        if (plane().normal(axis).value() == 0) return false; // it is seen as a line
-    }
-    return true;
-}
-
-// A word for each row of the box as seen along an axis: which squares of it the triangle is seen to meet.
-void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges& range, std::uint32_t* rows) const {
-    const int axis = axis_x + axis_y + axis_z - u - v;
-    const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
-    EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift, Seen::squares);
-    const std::uint32_t* const end = rows + range[v].count();
-    for (; rows != end; ++rows, edges.next_row()) {
-        std::uint32_t seen = 0; // the last one is the highest bit
-        for (std::uint32_t left = range[u].count(); left != 0; --left, edges.next()) {
-            seen = seen >> 1 | std::uint32_t{edges.has()} << 31;
-        }
-        *rows = seen >> (31 - range[u].last);
-    }
-}
-
-// By the same separating axes, each row and slab of the box from its first one on.
-void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
-                            std::uint32_t* scratch) const {
-    static_assert(scratch_words(4) >= 3 * most_small_octants, "room for what is seen");
-    std::uint32_t* const x_by_y = scratch;
-    std::uint32_t* const x_by_z = x_by_y + range[1].count();
-    std::uint32_t* const y_by_z = x_by_z + range[2].count();
-    see_small(axis_x, axis_y, plane, range, x_by_y);
-    see_small(axis_x, axis_z, plane, range, x_by_z);
-    see_small(axis_y, axis_z, plane, range, y_by_z);
-    PassedOctants passed(plane, grid_, range[0].first);
-    PlaneBand layer = passed.across(range[1].first, range[2].first);
-    for (std::uint32_t k = 0; k < range[2].count(); ++k, layer.next()) {
-        std::uint32_t* row = rows + grid_.row(range[1].first, range[2].first + static_cast<int>(k));
-        const std::uint32_t* x = x_by_y;
-        PlaneBand band(passed.along_u(), layer);
-        for (std::uint32_t y = y_by_z[k] >> range[1].first; y != 0; y >>= 1, band.next()) {
-            const std::uint32_t all_or_none = (y & 1U) == 0 ? 0 : ~std::uint32_t{0};
-            *row++ |= all_or_none & *x++ & x_by_z[k] & band.bits(range[0]);
         }
     }
 }

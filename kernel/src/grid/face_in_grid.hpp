@@ -119,10 +119,10 @@ class FaceInGrid {
     void mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings);
     void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
-    bool is_small(const Ranges& range);
-    void mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
-                    std::uint32_t* scratch) const;
-    void see_small(int u, int v, const Plane& plane, const Ranges& range, std::uint32_t* rows) const;
+    inline bool is_small(const Ranges& range);
+    inline void mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
+                           std::uint32_t* scratch) const;
+    inline void see_small(int u, int v, const Plane& plane, const Ranges& range, std::uint32_t* rows) const;
     void mark_all(const Ranges& range, std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
     void add_edges(int u, int v, bool rising_right, Slabs& slabs) const;
