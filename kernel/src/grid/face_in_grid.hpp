@@ -29,7 +29,7 @@ class FaceInGrid {
 
     /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + scratch_words(levels).
     std::uint64_t octants_met(std::uint32_t* scratch) {
-        Index index;
+        Index index = {};
         if (is_in_one(index)) return std::uint64_t{1} << (index.at[0] + 4 * index.at[1] + 16 * index.at[2]);
         return octants_of_many(scratch);
     }
@@ -41,7 +41,7 @@ class FaceInGrid {
     /// `near_rings`, which may be null, of those near a ring and of one for each range of a row between them.
     /// Scratch: scratch_words(levels).
     void mark(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
-        Index index;
+        Index index = {};
         if (is_in_one(index)) {
             rows[grid_.row(index.at[1], index.at[2])] |= std::uint32_t{1} << index.at[0];
         } else {
