@@ -117,7 +117,7 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
     if (plane().normal(axis).value() == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
-    if (small_apart && axis == axis_x && end_ - corners_ == 3 &&
+    if (guesses_cost_much && axis == axis_x && end_ - corners_ == 3 &&
         along_u.count() * along_v.count() <= most_small_rays) {
         const int turn = plane().normal(axis_x).sign();
         Point from = grid_.at(0, along_u.first, along_v.first);

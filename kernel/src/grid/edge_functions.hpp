@@ -6,17 +6,12 @@
 
 #include "grid/seen_edge.hpp"
 #include "osem/solid.hpp"
+#include "tree/guesses.hpp"
 
 namespace osem {
 
-/// Whether triangles that are small in a grid are dealt with apart: each place in their bounding box is
-/// looked at, so no ends of edges are to be found, which would be guesses at branches. Parts where wrong
-/// guesses cost little have more to do so.
-#if defined(__LP64__)
-constexpr bool small_apart = true;
-#else
-constexpr bool small_apart = false;
-#endif
+/// Where wrong guesses at branches cost much, triangles that are small in a grid are dealt with apart: each
+/// place in their bounding box is looked at, so that no ends of edges are to be found, which nobody foresees.
 constexpr std::uint32_t most_small_rays = 160;   ///< in the box
 constexpr std::uint32_t most_small_octants = 16; ///< along each of its sides
 

@@ -225,7 +225,7 @@ void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uin
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
-    if (small_apart && is_small(range)) return mark_small(plane(), range, rows, scratch);
+    if (guesses_cost_much && is_small(range)) return mark_small(plane(), range, rows, scratch);
     if (is_convex()) {
         mark_convex(plane(), range, rows, scratch);
     } else {

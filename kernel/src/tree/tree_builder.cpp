@@ -1,6 +1,7 @@
 #include "osem/tree_builder.hpp"
 
 #include "tree/counts.hpp"
+#include "tree/guesses.hpp"
 #include "tree/masks.hpp"
 
 namespace osem {
@@ -118,7 +119,15 @@ void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must)
     NodeIndex first = 0;
     const std::uint32_t count = count_bits(grey);
     Node* group = count == 0 ? nullptr : extend(count, first);
-    if (group != nullptr) {
+    if (group == nullptr) {
+        // all alike, or counted
+    } else if (guesses_cost_much && pool_->capacity() - first >= 8) {
+        // How many there are is no good guess: each child is written, the next one over it if it is a leaf.
+        for (unsigned each = 0; each < 8; ++each) {
+            *group = node_of_eight(may, must, each);
+            group += grey >> each & 1U;
+        }
+    } else {
         for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
             *group++ = node_of_eight(may, must, lowest(left));
         }
