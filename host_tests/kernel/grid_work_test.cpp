@@ -174,8 +174,7 @@ TEST(GridConversionWork, ScratchForPlacedFaces) {
     GridScratch enough(grid_scratch(solid.view(), 5, 3));
     ASSERT_EQ(enough.run(job, solid, options, nullptr, 3).status, Status::ok);
     const std::uint32_t used = job.scratch_used();
-    EXPECT_LT(used, 3 * solid.face_count() + 64 * 4 + 200)
-        << "a list of all faces above the last grid's rows";
+    EXPECT_LT(used, 3 * solid.face_count() + 64 * 4) << "a list of all faces above the last grid's rows";
     for (std::uint32_t size = solid.face_count() - 1; size < used; size += 7) {
         GridScratch scratch(size);
         ASSERT_EQ(scratch.run(job, solid, options, nullptr, 3).status, Status::scratch_too_small) << size;

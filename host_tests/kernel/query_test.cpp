@@ -338,8 +338,8 @@ TEST(BoxQuery, UniformTrees) {
     for (const Colour colour : {Colour::white, Colour::boundary, Colour::black}) {
         const Octree tree = Octree::uniform(*pool, colour);
         for (int i = 0; i < 100; ++i) {
-            const CellBox box =
-                i == 0 ? CellBox{{{0, 0, 0}}, {{root_side, root_side, root_side}}} : box_of_cells(random, 1024);
+            const CellBox box = i == 0 ? CellBox{{{0, 0, 0}}, {{root_side, root_side, root_side}}}
+                                       : box_of_cells(random, 1024);
             const BoxOutcome found = colours_in(tree, box);
             ASSERT_EQ(found.status, Status::ok);
             EXPECT_TRUE(found.all(colour));

@@ -27,11 +27,12 @@ constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
 /// a last grid divides it, otherwise of three words each and 64 behind them (the innermost one 128).
 /// Triangles of which it is known beforehand that they meet one or two of the octants that last grids divide
-/// are in no list above them, but take two words for each of these. A last grid takes four words
+/// are in no list, but take two words for each of these, throughout. A last grid takes four words
 /// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and
 /// one more a row each time that what winding numbers in a row differ by from its first one outgrows a power
 /// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for
-/// 32 x 32 rows, 64 for each grid above, about 3 a face and 100 are mostly enough.
+/// 32 x 32 rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are
+/// mostly enough.
 /// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
@@ -76,8 +77,9 @@ class GridConversion {
     Status begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                  std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids = GridOptions());
 
-    /// Visits up to `grids` grids; false when none is left. Cost of one visit: the first one looks at each
-    /// face's corners; a pass over the list of the grid above, and two over the placed faces; each triangle
+    /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
+    /// grid above (the first one: over all faces, and their corners), and three over the faces placed in the
+    /// grid's octant; each triangle
     /// or convex quadrangle that meets the grid's octant against the rows that it is seen to meet and to
     /// cross; for other faces a classification of each octant near their rings (or of each near their plane,
     /// see above), and each edge against each row of rows; in a last grid also a few steps a row and leaf on
@@ -96,8 +98,9 @@ class GridConversion {
     /// Nodes that the tree takes so far; it never falls, and in the end it is nodes_needed.
     std::uint32_t nodes_counted() const { return builder_.nodes_counted(); }
 
-    /// The most words of scratch in use at once so far.
-    std::uint32_t scratch_used() const { return scratch_used_ + (scratch_size_ - room_); }
+    /// The most words of scratch in use at once so far. The same conversion does with no more, if that is a
+    /// word for each face.
+    std::uint32_t scratch_used() const { return scratch_used_ + placed_words(); }
 
     /// The tree. Called before step has returned false it gives the conversion up. Status: ok;
     /// scratch_too_small when a list did not fit; pool_exhausted (nodes_missing is 0, for unknown, if given
@@ -140,6 +143,7 @@ class GridConversion {
         return octant_.level + levels_above() - 2 * (nested_grids(levels_above()) - 1 - grid);
     }
     bool is_of_eight(int grid) const { return level_of(grid) == octant_.level + 1; }
+    std::uint32_t placed_words() const { return scratch_size_ - room_; }
     int levels_below(int grid) const { return octant_.level + levels_above() - level_of(grid); }
     bool is_last() const { return grids_ == nested_grids(levels_above()); }
     std::int32_t offset() const {

@@ -66,9 +66,8 @@ struct OSEM_OF_INDEX_WIDTH Node {
 
     /// Whether all eight children are one leaf colour, and which. Only the top node of a tree may be so.
     constexpr bool is_uniform() const {
-        // White or black, whose masks one more leaves without a bit between; or boundary, not asked for as
-        // one number in memory, which is slow to read where the masks have just been written.
-        return may == must ? ((may + 1U) & 0xfeU) == 0 : ((may ^ 0xffU) | must) == 0;
+        // White or black, whose masks one more leaves without a bit between; or boundary.
+        return may == must ? ((may + 1U) & 0xfeU) == 0 : may == 0xff && must == 0x00;
     }
 
     friend constexpr bool operator==(const Node& a, const Node& b) {

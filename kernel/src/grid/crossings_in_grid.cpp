@@ -57,8 +57,10 @@ class FaceInGrid::Passages {
         }
     }
 
-    // Rays along x in a box, of which a triangle that turns like this has some. Room for as many words as
-    // there are in two rows.
+    // Rays along x in a box, of which a triangle that turns like this has some. Room: most_kept words and a
+    // row.
+    static constexpr int most_kept = 15; // from one row to the next
+    static_assert(scratch_words(1) >= most_kept + 32, "room for places");
     void add_small(EdgeFunctions edges, const IndexRange& y, const IndexRange& z, int turn,
                    std::uint32_t* places) {
         std::uint32_t* end = places;
@@ -71,7 +73,7 @@ class FaceInGrid::Passages {
                 end += int{edges.has()} & int{last.is_within()};
                 place += RowWindings::place(1, 0);
             }
-            if (end - places < 16 && k != z.last) continue;
+            if (end - places <= most_kept && k != z.last) continue;
             windings_.add_behind_each(places, end, -turn);
             end = places;
         }
@@ -122,7 +124,8 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
         const int turn = plane().normal(axis_x).sign();
         Point from = grid_.at(0, along_u.first, along_v.first);
         for (std::int32_t& coordinate : from.at) coordinate += grid_.offset;
-        const EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift, Seen::points);
+        const EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift,
+                                  EdgeFunctions::Of::points);
         return passages.add_small(edges, along_u, along_v, turn, scratch);
     }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)

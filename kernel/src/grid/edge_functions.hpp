@@ -10,13 +10,10 @@
 
 namespace osem {
 
-/// Where wrong guesses at branches cost much, triangles that are small in a grid are dealt with apart: each
-/// place in their bounding box is looked at, so that no ends of edges are to be found, which nobody foresees.
+/// Where wrong guesses at branches cost much, triangles whose bounding box has few places in a grid are dealt
+/// with apart: each of these is looked at, so that no ends of edges are to be found, which nobody foresees.
 constexpr std::uint32_t most_small_rays = 160;   ///< in the box
 constexpr std::uint32_t most_small_octants = 16; ///< along each of its sides
-
-/// What is looked at.
-enum class Seen { points, squares };
 
 /// What a triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares: those
 /// where the function of no edge is below 0. A function is linear, so it goes from place to place by one
@@ -24,13 +21,15 @@ enum class Seen { points, squares };
 /// by side in a word, the lower one borrowing from the upper one while it is below 0.
 class EdgeFunctions {
   public:
+    enum class Of { points, squares };
+
     /// From a place on, a point or a square's lower corner. Turn: 1 if the corners are seen to turn to the
     /// left, -1 to the right; they must turn.
     EdgeFunctions(const Solid& solid, const std::uint32_t* corners, int u, int v, int turn, const Point& from,
-                  int shift, Seen seen)
-        : EdgeFunctions(Edge(solid, corners[2], corners[0], u, v, turn, from, shift, seen),
-                        Edge(solid, corners[0], corners[1], u, v, turn, from, shift, seen),
-                        Edge(solid, corners[1], corners[2], u, v, turn, from, shift, seen)) {}
+                  int shift, Of of)
+        : EdgeFunctions(Function(solid, corners[2], corners[0], u, v, turn, from, shift, of),
+                        Function(solid, corners[0], corners[1], u, v, turn, from, shift, of),
+                        Function(solid, corners[1], corners[2], u, v, turn, from, shift, of)) {}
 
     bool has() const { return (static_cast<std::uint64_t>(pair_ | third_) & signs) == 0; }
 
@@ -48,13 +47,13 @@ class EdgeFunctions {
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
-    struct Edge {
+    struct Function {
         std::int32_t value;
         std::int32_t by_u;
         std::int32_t by_v;
 
-        Edge(const Solid& solid, std::uint32_t first, std::uint32_t second, int u, int v, int turn,
-             const Point& from, int shift, Seen seen) {
+        Function(const Solid& solid, std::uint32_t first, std::uint32_t second, int u, int v, int turn,
+                 const Point& from, int shift, Of of) {
             const Point& a = solid.vertices[first];
             const Point& b = solid.vertices[second];
             by_v = turn * (b.at[u] - a.at[u]);
@@ -62,7 +61,7 @@ class EdgeFunctions {
             const std::int64_t to_u = from.at[u] - a.at[u];
             const std::int64_t to_v = from.at[v] - a.at[v];
             const std::int64_t inside = to_u * by_u + to_v * by_v; // below 2^42
-            if (seen == Seen::points) {
+            if (of == Of::points) {
                 value = scaled(inside - (by_u < 0 || (by_u == 0 && by_v < 0) ? 1 : 0), shift);
             } else {
                 value = scaled(inside - 1, shift) + (by_u > 0 ? by_u : 0) + (by_v > 0 ? by_v : 0);
@@ -75,7 +74,7 @@ class EdgeFunctions {
         return low + high * (std::int64_t{1} << 32); // either is below 2^28, with all steps
     }
 
-    EdgeFunctions(const Edge& a, const Edge& b, const Edge& c)
+    EdgeFunctions(const Function& a, const Function& b, const Function& c)
         : pair_(side_by_side(a.value, b.value)), third_(side_by_side(c.value, 0)), row_pair_(pair_),
           row_third_(third_), pair_by_u_(side_by_side(a.by_u, b.by_u)), third_by_u_(side_by_side(c.by_u, 0)),
           pair_by_v_(side_by_side(a.by_v, b.by_v)), third_by_v_(side_by_side(c.by_v, 0)) {}

@@ -187,7 +187,8 @@ inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges
                                   std::uint32_t* rows) const {
     const int axis = axis_x + axis_y + axis_z - u - v;
     const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
-    EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift, Seen::squares);
+    EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift,
+                        EdgeFunctions::Of::squares);
     const std::uint32_t* const end = rows + range[v].count();
     for (; rows != end; ++rows, edges.next_row()) {
         std::uint32_t seen = 0; // the last one is the highest bit

@@ -23,7 +23,8 @@ static_assert(last_grid_space(4) >= 16 + 4 && last_grid_space(5) >= 64 + 16 + 4,
               "room for the parts' states");
 
 // Words of a list above the last grids, behind each other: the faces; which octants each of them meets, the
-// low halves first, then the high ones; and the winding numbers, where the placed faces are sorted before.
+// low halves first, then the high ones; and the winding numbers. Before these are known the placed faces are
+// sorted there.
 constexpr std::uint64_t words_above(std::uint32_t faces) {
     return std::uint64_t{3} * faces + PlacedFaces::words_to_sort;
 }
@@ -31,7 +32,7 @@ static_assert(PlacedFaces::words_to_sort >= winding_words + 3 * 16, "room for ro
 constexpr std::uint32_t in_a_look = 8; // halves that are looked at at once
 static_assert(winding_words >= in_a_look, "a look at the last half ends in the words behind it");
 
-// The faces that meet a grid's octant; of the first grid, those whose extents reach into it.
+// The listed faces that meet a grid's octant; of the first grid, those whose extents reach into it.
 struct GridList {
     const Solid& solid;
     const std::uint32_t* faces;
@@ -70,6 +71,7 @@ struct GridOfLeaves {
     }
 };
 
+// The shift is below 32 where there are placed faces.
 PlacedFaces::Digit digit_at(int levels_below, bool of_eight) {
     return {3 * static_cast<unsigned>(levels_below), of_eight ? 7U : 63U};
 }
@@ -156,7 +158,7 @@ bool GridConversion::enter_root(Entry& entry) {
         if (!extent.has(axis_y, start.y()) || !extent.has(axis_z, start.z())) continue;
         entry.winding += crossing(solid_, face, start, axis_x, length);
     }
-    entry.placed_end = (scratch_size_ - room_) / PlacedFaces::words;
+    entry.placed_end = placed_words() / PlacedFaces::words;
     return reserve(0, entry.faces);
 }
 

@@ -26,8 +26,8 @@ struct FacePlaces {
 
 /// Places a triangle if it lies between the sides of one octant, or along one axis in two, which it then
 /// meets, and reaches past reference points along one axis at most, so that it lies on no way from one to
-/// another. None is placed in octants that are 11 levels below or more: their numbers would be longer than a
-/// word.
+/// another. All that FaceInGrid would find out in the grids above is in that. None is placed in octants that
+/// are 11 levels below or more: their numbers would be longer than a word.
 FacePlaces places_of(const Solid& solid, std::uint32_t face, const Extent& extent,
                      const LastOctants& octants);
 
@@ -56,7 +56,7 @@ struct PlacedFaces {
     /// Sorts a range by a digit; the set of those that there are. Cost: O(range). Space: words_to_sort.
     std::uint64_t sort(const Range& range, const Digit& digit, std::uint32_t* space) const;
 
-    /// The first of a sorted range with that digit in front, up to where others begin.
+    /// The beginning of a sorted range, as far as the digit is that one; empty if the first face has another.
     Range front(const Range& range, const Digit& digit, std::uint32_t value) const {
         Range front = {range.first, range.first};
         while (front.end != range.end && digit.of(octant(front.end)) == value) ++front.end;

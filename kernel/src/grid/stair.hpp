@@ -220,7 +220,7 @@ class OverPlane {
         guess_ = stair.floor();
         return stair;
     }
-    /// One along v that begins there: where it is, and is with each next row of rows, one along u begins.
+    /// One along v that begins there. From each of its steps one along u may begin: Stair(along_u(), step).
     Stair across(int u, int v) const {
         return Stair(typename Stair::Slope(along_u_, by_v_), n_ + u * by_u_ + v * by_v_, most_, guess_);
     }

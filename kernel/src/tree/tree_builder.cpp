@@ -22,6 +22,12 @@ Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
     return Node::of(children_of(may, child), children_of(must, child), 0);
 }
 
+// As node.is_uniform(). The masks of boundary leaves are not asked for as one number in memory: where they
+// have just been written one by one, some parts are slow to read that.
+constexpr bool is_uniform(const Node& node) {
+    return node.may == node.must ? node.is_uniform() : ((node.may ^ 0xffU) | node.must) == 0;
+}
+
 } // namespace
 
 void TreeBuilder::begin(NodePool* pool, bool count_only) {
@@ -161,7 +167,7 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
 }
 
 void TreeBuilder::set_child(unsigned child, const Node& node) {
-    if (node.is_uniform()) {
+    if (is_uniform(node)) {
         leaf(child, node.colour(0));
     } else {
         graft(child, node);
