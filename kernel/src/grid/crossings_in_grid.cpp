@@ -67,9 +67,9 @@ class FaceInGrid::Passages {
         PlaneStair row = rows_.across(y.first, z.first);
         for (int k = z.first; k <= z.last; ++k, row.next(), edges.next_row()) {
             PlaneStair last(rows_.along_u(), row);
-            std::uint32_t place = RowWindings::place(grid_.row(y.first, k), 0);
+            std::int64_t place = RowWindings::place(grid_.row(y.first, k), 0);
             for (std::uint32_t left = y.count(); left != 0; --left, last.next(), edges.next()) {
-                *end = place + static_cast<std::uint32_t>(last.value());
+                *end = static_cast<std::uint32_t>(place + last.value()); // kept if it is one
                 end += int{edges.has()} & int{last.is_within()};
                 place += RowWindings::place(1, 0);
             }
