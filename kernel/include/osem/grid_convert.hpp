@@ -27,12 +27,11 @@ constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
 /// a last grid divides it, otherwise of three words each and 64 behind them (the innermost one 128).
 /// Triangles of which it is known beforehand that they meet one or two of the octants that last grids divide
-/// are in no list, but take two words for each of these, throughout. A last grid takes four words
-/// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and
-/// one more a row each time that what winding numbers in a row differ by from its first one outgrows a power
-/// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for
-/// 32 x 32 rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are
-/// mostly enough.
+/// are in no list, but take two words for each of these, throughout. A last grid takes four words (with
+/// centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and one more
+/// a row each time that what winding numbers in a row differ by from its first one outgrows a power of two
+/// from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for 32 x 32
+/// rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are mostly enough.
 /// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
@@ -79,11 +78,10 @@ class GridConversion {
 
     /// Visits up to `grids` grids; false when none is left. Cost of one visit: a pass over the list of the
     /// grid above (the first one: over all faces, and their corners), and three over the faces placed in the
-    /// grid's octant; each triangle
-    /// or convex quadrangle that meets the grid's octant against the rows that it is seen to meet and to
-    /// cross; for other faces a classification of each octant near their rings (or of each near their plane,
-    /// see above), and each edge against each row of rows; in a last grid also a few steps a row and leaf on
-    /// the surface.
+    /// grid's octant; each triangle or convex quadrangle that meets the grid's octant against the rows that
+    /// it is seen to meet and to cross; for other faces a classification of each octant near their rings (or
+    /// of each near their plane, see above), and each edge against each row of rows; in a last grid also a
+    /// few steps a row and leaf on the surface.
     bool step(std::uint32_t grids);
 
     /// Whether the pool has run out. Going on to the end then finds out the exact number of nodes missing.

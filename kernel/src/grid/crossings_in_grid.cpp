@@ -57,8 +57,7 @@ class FaceInGrid::Passages {
         }
     }
 
-    // Rays along x in a box, of which a triangle that turns like this has some. Room: most_kept words and a
-    // row.
+    // Rays along x in a box, of which a triangle that turns like this has some. Room: a row beside most_kept.
     static constexpr int most_kept = 15; // from one row to the next
     static_assert(scratch_words(1) >= most_kept + 32, "room for places");
     void add_small(EdgeFunctions edges, const IndexRange& y, const IndexRange& z, int turn,
