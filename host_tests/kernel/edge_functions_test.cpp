@@ -19,15 +19,15 @@ std::int64_t turn_of(const Plane2& a, const Plane2& b, const Plane2& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// The point moved by (e, e^2): e = 2^-21 and all numbers 2^42 times as large tell what every smaller e does,
-// as differences of coordinates are below 2^20.
+// The point moved by (e, e^2): of what the area changes by, the power of e that comes first decides.
 bool has_point(const Triangle2& triangle, const Plane2& point, int turn) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
         const Plane2& a = triangle[edge];
         const Plane2& b = triangle[(edge + 1) % 3];
-        const auto moved = static_cast<__int128>(turn_of(a, b, point)) * (std::int64_t{1} << 42) -
-                           (b[1] - a[1]) * (std::int64_t{1} << 21) + (b[0] - a[0]);
-        if (moved * turn < 0) return false;
+        for (const std::int64_t power : {turn_of(a, b, point), a[1] - b[1], b[0] - a[0]}) {
+            if (power * turn < 0) return false;
+            if (power != 0) break;
+        }
     }
     return true;
 }
