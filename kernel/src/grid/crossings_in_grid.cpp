@@ -112,6 +112,17 @@ void FaceInGrid::pass_all(RowWindings& windings, std::uint32_t* scratch) {
     pass(axis_y, first_x, common(z, {0, 0}), windings, scratch);
 }
 
+// Apart, so that parts that do not come here have no room for it on their stack.
+inline void FaceInGrid::pass_small(const IndexRange& along_y, const IndexRange& along_z, Passages& passages,
+                                   std::uint32_t* scratch) {
+    const int turn = plane().normal(axis_x).sign();
+    Point from = grid_.at(0, along_y.first, along_z.first);
+    for (std::int32_t& coordinate : from.at) coordinate += grid_.offset;
+    const EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift,
+                              EdgeFunctions::Of::points);
+    passages.add_small(edges, along_y, along_z, turn, scratch);
+}
+
 void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
                       std::uint32_t* scratch) {
     const IndexRange own = between(axis); // no point, or every one, comes before the face
@@ -120,12 +131,7 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
     if (guesses_cost_much && axis == axis_x && end_ - corners_ == 3 &&
         along_u.count() * along_v.count() <= most_small_rays) {
-        const int turn = plane().normal(axis_x).sign();
-        Point from = grid_.at(0, along_u.first, along_v.first);
-        for (std::int32_t& coordinate : from.at) coordinate += grid_.offset;
-        const EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift,
-                                  EdgeFunctions::Of::points);
-        return passages.add_small(edges, along_u, along_v, turn, scratch);
+        return pass_small(along_u, along_v, passages, scratch);
     }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)
                 : pass_any(axis, along_u, along_v, passages, scratch);

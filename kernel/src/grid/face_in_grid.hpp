@@ -143,6 +143,8 @@ class FaceInGrid {
     void pass_all(RowWindings& windings, std::uint32_t* scratch);
     void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
               std::uint32_t* scratch);
+    inline void pass_small(const IndexRange& along_y, const IndexRange& along_z, Passages& passages,
+                           std::uint32_t* scratch);
     void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                      std::uint32_t* scratch) const;
     void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
