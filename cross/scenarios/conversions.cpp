@@ -30,10 +30,10 @@ void add_depths(Digest& digest, const Solid& solid, LeafRule leaves, int greates
 // A grid conversion with its scratch, which is less than for certain would be enough.
 struct GridRun {
     GridConversion job;
-    std::uint32_t words[350];
+    std::uint32_t words[320];
 
     TreeOutcome convert(const Solid& solid, const ConvertOptions& options, int last_levels) {
-        return osem::convert(job, CheckedSolid::vouched(solid), options, words, 350, &pool, {last_levels});
+        return osem::convert(job, CheckedSolid::vouched(solid), options, words, 320, &pool, {last_levels});
     }
 };
 
