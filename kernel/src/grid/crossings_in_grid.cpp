@@ -57,9 +57,9 @@ class FaceInGrid::Passages {
         }
     }
 
-    // Rays along x in a box, of which a triangle that turns like this has some. Room: a row beside most_kept.
-    static constexpr int most_kept = 15; // from one row to the next
+    static constexpr int most_kept = 15; // places, from one row to the next
     static_assert(scratch_words(1) >= most_kept + 32, "room for places");
+    // Rays along x in a box, of which a triangle that turns like this has some. Room: a row beside most_kept.
     void add_small(EdgeFunctions edges, const IndexRange& y, const IndexRange& z, int turn,
                    std::uint32_t* places) {
         std::uint32_t* end = places;

@@ -55,22 +55,6 @@ struct GridList {
     }
 };
 
-// A grid of leaves, and what is found out about them from face to face: which are met, if that is wanted, and
-// what is crossed.
-struct GridOfLeaves {
-    const Solid& solid;
-    const OctantGrid& grid;
-    RowWindings& windings;
-    std::uint32_t* met;
-    std::uint32_t* space;
-
-    void meet(std::uint32_t number) {
-        FaceInGrid face(solid, number, grid);
-        if (met != nullptr) face.mark(met, space, windings.spare_words());
-        face.add_crossings(windings, space);
-    }
-};
-
 // The shift is below 32 where there are placed faces.
 PlacedFaces::Digit digit_at(int levels_below, bool of_eight) {
     return {3 * static_cast<unsigned>(levels_below), of_eight ? 7U : 63U};
@@ -302,10 +286,14 @@ void GridConversion::visit_last(const Entry& entry) {
     }
     RowWindings windings(scratch_ + behind, room_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
-    GridOfLeaves leaves = {solid_, grid, windings, met, scratch_ + list_end};
-    for (std::uint32_t i = 0; i < entry.faces; ++i) leaves.meet(scratch_[entry.first + i]);
+    const auto meet = [&](std::uint32_t number) {
+        FaceInGrid face(solid_, number, grid);
+        if (met != nullptr) face.mark(met, scratch_ + list_end, windings.spare_words());
+        face.add_crossings(windings, scratch_ + list_end);
+    };
+    for (std::uint32_t i = 0; i < entry.faces; ++i) meet(scratch_[entry.first + i]);
     const PlacedFaces placed = {scratch_ + room_};
-    for (std::uint32_t i = entry.placed; i != entry.placed_end; ++i) leaves.meet(placed.face(i));
+    for (std::uint32_t i = entry.placed; i != entry.placed_end; ++i) meet(placed.face(i));
     if (windings.overflowed()) return overflow();
     windings.finish(entry.winding);
     reserve(behind, windings.words_used());

@@ -63,7 +63,7 @@ class RowWindings {
     [[gnu::always_inline]] void add_behind_each(const std::uint32_t* place, const std::uint32_t* end,
                                                 std::int32_t number) {
         if (planes_ == 2) add_one_behind_each(place, end, number > 0);
-        for (; place != end; ++place) add(row_of(*place), behind(*place & 31U), number);
+        for (; place != end; ++place) add(row_of(*place), behind(point_of(*place)), number);
     }
 
     /// All is added; the number of the grid's first point is this.
@@ -77,6 +77,7 @@ class RowWindings {
 
   private:
     static constexpr std::uint32_t row_of(std::uint32_t place) { return place / 32; }
+    static constexpr std::uint32_t point_of(std::uint32_t place) { return place % 32; }
     static constexpr std::uint32_t behind(std::uint32_t point) { return ~std::uint32_t{1} << point; }
     static std::uint32_t behind(const PlaneStair& last) {
         return behind(static_cast<std::uint32_t>(last.value()));
@@ -99,7 +100,7 @@ class RowWindings {
         std::uint32_t* const rows = plane(0);
         while (place != end) {
             const std::uint32_t row = row_of(*place);
-            const std::uint32_t outgrown = add_one(rows + row, to_sign, behind(*place++ & 31U), down);
+            const std::uint32_t outgrown = add_one(rows + row, to_sign, behind(point_of(*place++)), down);
             if (outgrown != 0) return widen(row, outgrown);
         }
     }
