@@ -155,6 +155,67 @@ TEST(TreeBuilder, SubtreesFromLeavesOfTwoLevels) {
     }
 }
 
+// Of depth 4, by subtrees a level higher.
+TreeOutcome plant_greater_subtrees(const DenseGrid& grid, NodePool* pool) {
+    TreeBuilder builder;
+    builder.begin(pool);
+    for (unsigned child = 0; child < 8; ++child) {
+        std::uint64_t may[8] = {};
+        std::uint64_t must[8] = {};
+        for (unsigned part = 0; part < 8; ++part) {
+            const Sets sets(grid, 512 * child + 64 * part);
+            may[part] = sets.may;
+            must[part] = sets.must;
+        }
+        builder.subtree_of_512(child, may, must);
+    }
+    builder.close();
+    return builder.finish(4);
+}
+
+TEST(TreeBuilder, SubtreesFromLeavesOfThreeLevels) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        const DenseGrid grid = random_grid(4, seed, seed % 2 == 0 ? three_colours : two_colours);
+        HeapPool pool(5000);
+        HeapPool other(5000);
+        expect_tree_of(grid, plant_greater_subtrees(grid, &*pool));
+        ASSERT_EQ(plant(grid, &*other).status, Status::ok);
+        ASSERT_EQ(pool->used(), other->used());
+        EXPECT_EQ(pool->peak(), other->peak());
+        for (std::uint32_t node = 0; node < pool->used(); ++node) { // each at the same place
+            ASSERT_EQ(pool->at(static_cast<NodeIndex>(node)), other->at(static_cast<NodeIndex>(node)));
+        }
+        EXPECT_EQ(plant_greater_subtrees(grid, nullptr).nodes_needed, pool->used());
+    }
+}
+
+// 512 leaves, of parts that are each one leaf, or of eight such.
+TEST(TreeBuilder, GreaterSubtreesOfFewNodes) {
+    constexpr std::uint64_t all = ~std::uint64_t{0};
+    const std::uint64_t none[8] = {};
+    const std::uint64_t every[8] = {all, all, all, all, all, all, all, all};
+    const std::uint64_t one_part[8] = {0, 0, 0, 0, 0, all, 0, 0};
+    const std::uint64_t one_octant[8] = {0, 0, 0xff00, 0, 0, 0, 0, 0};
+    HeapPool pool(200);
+    TreeBuilder builder;
+    builder.begin(&*pool);
+    builder.subtree_of_512(0, none, none);
+    builder.subtree_of_512(1, every, every);
+    builder.subtree_of_512(2, every, none);
+    builder.subtree_of_512(3, one_part, one_part);
+    builder.subtree_of_512(4, one_part, none);
+    builder.subtree_of_512(5, one_octant, none);
+    builder.close();
+    const TreeOutcome outcome = builder.finish(4);
+    EXPECT_EQ(outcome.nodes_needed, 4U);
+    EXPECT_EQ(outcome.tree.top.may, 0b000110);
+    EXPECT_EQ(outcome.tree.top.must, 0b111010);
+    EXPECT_EQ(pool->child(outcome.tree.top, 3), Node::of(0b100000, 0b100000, 0));
+    EXPECT_EQ(pool->child(outcome.tree.top, 4), Node::of(0b100000, 0, 0));
+    EXPECT_EQ(pool->child(outcome.tree.top, 5), Node::of(0, 0b100, 0));
+    EXPECT_EQ(pool->at(0), Node::of(0b10, 0, 0));
+}
+
 TEST(TreeBuilder, EightLeavesInOneStep) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         const DenseGrid grid = random_grid(2, seed, three_colours);
@@ -215,13 +276,16 @@ TEST(TreeBuilder, SixtyFourEqualLeavesAreOne) {
 }
 
 TEST(TreeBuilder, SubtreesAndGrandchildrenAtFullDepth) {
-    for (const bool as_subtree : {false, true}) {
-        HeapPool pool(40);
+    constexpr std::uint64_t one[8] = {1};
+    for (const int levels : {2, 3, 4}) { // from the innermost open octant to the leaf
+        HeapPool pool(100);
         TreeBuilder builder;
         builder.begin(&*pool);
-        const int opened = as_subtree ? max_depth - 3 : max_depth - 2;
+        const int opened = max_depth - levels;
         for (int level = 0; level < opened; ++level) builder.open(0);
-        as_subtree ? builder.subtree(0, 1, 1) : builder.grandchildren(1, 1);
+        if (levels == 2) builder.grandchildren(1, 1);
+        if (levels == 3) builder.subtree(0, 1, 1);
+        if (levels == 4) builder.subtree_of_512(0, one, one);
         for (int level = 0; level <= opened; ++level) builder.close();
         const TreeOutcome outcome = builder.finish(max_depth);
         EXPECT_EQ(outcome.nodes_needed, static_cast<std::uint32_t>(max_depth - 1));
@@ -243,6 +307,24 @@ TEST(TreeBuilder, SubtreesAreCountedWhenThePoolRunsOut) {
         EXPECT_EQ(outcome.nodes_missing, needed - room);
         EXPECT_TRUE(before.same_nodes(pool));
     }
+}
+
+TEST(TreeBuilder, GreaterSubtreesAreCountedWhenThePoolRunsOut) {
+    const DenseGrid grid = random_grid(4, 5, three_colours);
+    const std::uint32_t needed = plant(grid, nullptr).nodes_needed;
+    ASSERT_GT(needed, 100U);
+    for (std::uint32_t room = 0; room < needed; ++room) {
+        HeapPool pool(3 + room);
+        pool.fill_to(3);
+        const PoolImage before(pool);
+        const TreeOutcome outcome = plant_greater_subtrees(grid, &*pool);
+        EXPECT_EQ(outcome.status, Status::pool_exhausted);
+        EXPECT_EQ(outcome.nodes_missing, needed - room);
+        EXPECT_TRUE(before.same_nodes(pool));
+    }
+    HeapPool pool(3 + needed);
+    pool.fill_to(3);
+    EXPECT_EQ(plant_greater_subtrees(grid, &*pool).status, Status::ok);
 }
 
 TEST(TreeBuilder, GraftsAreShared) {

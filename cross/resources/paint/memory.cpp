@@ -28,6 +28,11 @@ void measure_builder() {
     builder.close();
     measured("TreeBuilder::eight_leaves", [&] { builder.eight_leaves(5, 0x0f, 0x01); });
     measured("TreeBuilder::subtree", [&] { builder.subtree(4, 0x00ff0f0000000000, 0x00ff010000000000); });
+    measured("TreeBuilder::subtree_of_512", [&] {
+        constexpr std::uint64_t may[8] = {0, 0x00ff0f0000000000};
+        constexpr std::uint64_t must[8] = {0, 0x00ff010000000000};
+        builder.subtree_of_512(7, may, must);
+    });
     measured("TreeBuilder::graft", [&] { builder.graft(5, Node::of(0x0f, 0x01, 0)); });
     const Node unlike = Node::of(0x00, 0x28, 0);
     measured("TreeBuilder::close", [&] {

@@ -21,16 +21,17 @@ constexpr int upper_levels(int depth, int last_levels = most_grid_levels) {
 /// if their levels are odd.
 constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
 
-/// Words that a last grid takes beside its rows: for a face's tables, and then for parts of 4 x 4 x 4 leaves.
-constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 84; }
+/// Words that a last grid takes beside its rows: for what is found out about rows and slabs as a face meets
+/// them, and then for cubes of leaves.
+constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 72; }
 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
 /// a last grid divides it, otherwise of three words each and 64 behind them (the innermost one 128).
 /// Triangles of which it is known beforehand that they meet one or two of the octants that last grids divide
 /// are in no list, but take two words for each of these, throughout. A last grid takes four words (with
-/// centre leaves three) for each of its 4^last_levels rows, 48 (or 84, of 5 levels) beside them, and one more
+/// centre leaves three) for each of its 4^last_levels rows, 48 (or 72, of 5 levels) beside them, and one more
 /// a row each time that what winding numbers in a row differ by from its first one outgrows a power of two
-/// from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4180 words for 32 x 32
+/// from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4168 words for 32 x 32
 /// rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are mostly enough.
 /// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {

@@ -55,6 +55,11 @@ class TreeBuilder {
     /// than max_depth - 1 octants are open.
     void subtree(unsigned child, std::uint64_t may, std::uint64_t must);
 
+    /// Makes child `child` of the open octant a subtree of 512 such leaves, two sets in Morton order for each
+    /// child of that one: as open(child), subtree(part, may[part], must[part]) for each part, close(), in one
+    /// step. Preconditions: none of the 512 is grey, and fewer than max_depth - 2 octants are open.
+    void subtree_of_512(unsigned child, const std::uint64_t (&may)[8], const std::uint64_t (&must)[8]);
+
     /// Makes child `child` of the open octant an existing subtree of the same pool, shared. Preconditions:
     /// the node is not uniform, and no octant of the subtree comes to lie deeper than max_depth.
     void graft(unsigned child, const Node& node);
@@ -92,7 +97,7 @@ class TreeBuilder {
     bool equals_group(const Level& level, std::uint8_t grey, const Node* like) const;
     Node* extend(std::uint32_t count, NodeIndex& first);
     void write_group(const Level& level, std::uint8_t grey, NodeIndex& first);
-    void set_child(unsigned child, const Node& node);
+    void set_child(unsigned child, std::uint8_t may, std::uint8_t must, NodeIndex first);
 
     NodePool* pool_ = nullptr;
     std::uint32_t mark_ = 0;

@@ -58,18 +58,19 @@ class FaceInGrid::Passages {
     }
 
     static constexpr int most_kept = 15; // places, from one row to the next
-    static_assert(scratch_words(1) >= most_kept + 32, "room for places");
+    static_assert(last_grid_space(1) >= most_kept + 32, "room for places");
     // Rays along x in a box, of which a triangle that turns like this has some. Room: a row beside most_kept.
-    void add_small(EdgeFunctions edges, const IndexRange& y, const IndexRange& z, int turn,
+    void add_small(EdgeFunctions& edges, const IndexRange& y, const IndexRange& z, int turn,
                    std::uint32_t* places) {
         std::uint32_t* end = places;
         PlaneStair row = rows_.across(y.first, z.first);
-        for (int k = z.first; k <= z.last; ++k, row.next(), edges.next_row()) {
+        for (int k = z.first; k <= z.last; ++k, row.next()) {
             PlaneStair last(rows_.along_u(), row);
             std::int64_t place = RowWindings::place(grid_.row(y.first, k), 0);
-            for (std::uint32_t left = y.count(); left != 0; --left, last.next(), edges.next()) {
+            std::uint32_t seen = edges.next_row();
+            for (std::uint32_t left = y.count(); left != 0; --left, last.next(), seen >>= 1) {
                 *end = static_cast<std::uint32_t>(place + last.value()); // kept if it is one
-                end += int{edges.has()} & int{last.is_within()};
+                end += (seen & 1U) & std::uint32_t{last.is_within()};
                 place += RowWindings::place(1, 0);
             }
             if (end - places <= most_kept && k != z.last) continue;
@@ -118,8 +119,8 @@ inline void FaceInGrid::pass_small(const IndexRange& along_y, const IndexRange& 
     const int turn = plane().normal(axis_x).sign();
     Point from = grid_.at(0, along_y.first, along_z.first);
     for (std::int32_t& coordinate : from.at) coordinate += grid_.offset;
-    const EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift,
-                              EdgeFunctions::Of::points);
+    EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift, EdgeFunctions::Of::points,
+                        along_y.count());
     passages.add_small(edges, along_y, along_z, turn, scratch);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "grid/four.hpp"
 #include "grid/seen_edge.hpp"
 #include "osem/solid.hpp"
 #include "tree/guesses.hpp"
@@ -17,76 +18,78 @@ constexpr std::uint32_t most_small_octants = 16; ///< along each of its sides
 
 /// What a triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares: those
 /// where the function of no edge is below 0. A function is linear, so it goes from place to place by one
-/// addition; it is divided by the octants' side, rounded down, which leaves its sign. Two of them stand side
-/// by side in a word, the lower one borrowing from the upper one while it is below 0.
+/// addition; it is divided by the octants' side, rounded down, which leaves its sign. Four rows go side by
+/// side: a vector is a register where parts have such ones.
 class EdgeFunctions {
   public:
     enum class Of { points, squares };
 
-    /// From a place on, a point or a square's lower corner. Turn: 1 if the corners are seen to turn to the
-    /// left, -1 to the right; they must turn.
+    /// Rows of up to 32 places along u, from a place on, a point or a square's lower corner. Turn: 1 if the
+    /// corners are seen to turn to the left, -1 to the right; they must turn.
     EdgeFunctions(const Solid& solid, const std::uint32_t* corners, int u, int v, int turn, const Point& from,
-                  int shift, Of of)
-        : EdgeFunctions(Function(solid, corners[2], corners[0], u, v, turn, from, shift, of),
-                        Function(solid, corners[0], corners[1], u, v, turn, from, shift, of),
-                        Function(solid, corners[1], corners[2], u, v, turn, from, shift, of)) {}
+                  int shift, Of of, std::uint32_t places)
+        : edges_{Edge(solid, corners[2], corners[0], u, v, turn, from, shift, of),
+                 Edge(solid, corners[0], corners[1], u, v, turn, from, shift, of),
+                 Edge(solid, corners[1], corners[2], u, v, turn, from, shift, of)},
+          places_(places) {}
 
-    bool has() const { return (static_cast<std::uint64_t>(pair_ | third_) & signs) == 0; }
-
-    /// Goes on along u by one; back to where it began, and along v by one.
-    void next() {
-        pair_ += pair_by_u_;
-        third_ += third_by_u_;
-    }
-    void next_row() {
-        pair_ = row_pair_ += pair_by_v_;
-        third_ = row_third_ += third_by_v_;
+    /// Those of the next row, from the first one on, which is in v.
+    std::uint32_t next_row() {
+        if (row_ % four == 0) see_four();
+        return seen_[row_++ % four];
     }
 
   private:
+    static constexpr std::uint32_t four = 4;
+
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
-    struct Function {
-        std::int32_t value;
-        std::int32_t by_u;
-        std::int32_t by_v;
+    struct Edge {
+        Four value; ///< two's complement; below 2^28, with all steps
+        std::uint32_t by_u;
+        std::uint32_t by_four_rows;
 
-        Function(const Solid& solid, std::uint32_t first, std::uint32_t second, int u, int v, int turn,
-                 const Point& from, int shift, Of of) {
+        Edge(const Solid& solid, std::uint32_t first, std::uint32_t second, int u, int v, int turn,
+             const Point& from, int shift, Of of) {
             const Point& a = solid.vertices[first];
             const Point& b = solid.vertices[second];
-            by_v = turn * (b.at[u] - a.at[u]);
-            by_u = -turn * (b.at[v] - a.at[v]);
+            const std::int32_t step_v = turn * (b.at[u] - a.at[u]);
+            const std::int32_t step_u = -turn * (b.at[v] - a.at[v]);
             const std::int64_t to_u = from.at[u] - a.at[u];
             const std::int64_t to_v = from.at[v] - a.at[v];
-            const std::int64_t inside = to_u * by_u + to_v * by_v; // below 2^42
+            const std::int64_t inside = to_u * step_u + to_v * step_v; // below 2^42
+            std::int32_t at = 0;
             if (of == Of::points) {
-                value = scaled(inside - (by_u < 0 || (by_u == 0 && by_v < 0) ? 1 : 0), shift);
+                at = scaled(inside - (step_u < 0 || (step_u == 0 && step_v < 0) ? 1 : 0), shift);
             } else {
-                value = scaled(inside - 1, shift) + (by_u > 0 ? by_u : 0) + (by_v > 0 ? by_v : 0);
+                at = scaled(inside - 1, shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
             }
+            const auto by_v = static_cast<std::uint32_t>(step_v);
+            by_u = static_cast<std::uint32_t>(step_u);
+            by_four_rows = four * by_v;
+            value = static_cast<std::uint32_t>(at) + Four{0, by_v, 2 * by_v, 3 * by_v};
         }
     };
 
-    static constexpr std::uint64_t signs = 0x8000000080000000;
-    static std::int64_t side_by_side(std::int32_t low, std::int32_t high) {
-        return low + high * (std::int64_t{1} << 32); // either is below 2^28, with all steps
+    void see_four() {
+        Four values[3];
+        for (unsigned edge = 0; edge < 3; ++edge) {
+            values[edge] = edges_[edge].value;
+            edges_[edge].value += edges_[edge].by_four_rows;
+        }
+        seen_ = Four{};
+        for (std::uint32_t left = places_; left != 0; --left) { // the last one is the highest bit
+            seen_ = seen_ >> 1 | (~(values[0] | values[1] | values[2]) & 0x80000000U);
+            for (unsigned edge = 0; edge < 3; ++edge) values[edge] += edges_[edge].by_u;
+        }
+        seen_ >>= 32 - places_;
     }
 
-    EdgeFunctions(const Function& a, const Function& b, const Function& c)
-        : pair_(side_by_side(a.value, b.value)), third_(side_by_side(c.value, 0)), row_pair_(pair_),
-          row_third_(third_), pair_by_u_(side_by_side(a.by_u, b.by_u)), third_by_u_(side_by_side(c.by_u, 0)),
-          pair_by_v_(side_by_side(a.by_v, b.by_v)), third_by_v_(side_by_side(c.by_v, 0)) {}
-
-    std::int64_t pair_;
-    std::int64_t third_;
-    std::int64_t row_pair_;
-    std::int64_t row_third_;
-    std::int64_t pair_by_u_;
-    std::int64_t third_by_u_;
-    std::int64_t pair_by_v_;
-    std::int64_t third_by_v_;
+    Edge edges_[3];
+    std::uint32_t places_;
+    std::uint32_t row_ = 0;
+    Four seen_ = {};
 };
 
 } // namespace osem

@@ -188,21 +188,15 @@ inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges
     const int axis = axis_x + axis_y + axis_z - u - v;
     const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
     EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift,
-                        EdgeFunctions::Of::squares);
+                        EdgeFunctions::Of::squares, range[u].count());
     const std::uint32_t* const end = rows + range[v].count();
-    for (; rows != end; ++rows, edges.next_row()) {
-        std::uint32_t seen = 0; // the last one is the highest bit
-        for (std::uint32_t left = range[u].count(); left != 0; --left, edges.next()) {
-            seen = seen >> 1 | std::uint32_t{edges.has()} << 31;
-        }
-        *rows = seen >> (31 - range[u].last);
-    }
+    for (; rows != end; ++rows) *rows = edges.next_row() << range[u].first;
 }
 
 // By the same separating axes, each row and slab of the box from its first one on.
 inline void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                                    std::uint32_t* scratch) const {
-    static_assert(scratch_words(4) >= 3 * most_small_octants, "room for what is seen");
+    static_assert(last_grid_space(4) >= 3 * most_small_octants, "room for what is seen");
     std::uint32_t* const x_by_y = scratch;
     std::uint32_t* const x_by_z = x_by_y + range[1].count();
     std::uint32_t* const y_by_z = x_by_z + range[2].count();
@@ -240,8 +234,8 @@ void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uin
 // a line along x it is the plane's too.
 void FaceInGrid::mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                              std::uint32_t* scratch) const {
-    static_assert(scratch_words(4) >= 16 + 2 * Slabs::words(16) &&
-                      scratch_words(5) >= 32 + 2 * Slabs::words(32),
+    static_assert(last_grid_space(4) >= 16 + 2 * Slabs::words(16) &&
+                      last_grid_space(5) >= 32 + 2 * Slabs::words(32),
                   "room for the slabs");
     std::uint32_t* const x_by_y = scratch;
     Slabs x_by_z(scratch + grid_.side(), grid_.side());
@@ -280,7 +274,7 @@ void FaceInGrid::mark_all(const Ranges& range, std::uint32_t* rows) const {
 std::uint64_t FaceInGrid::octants_of_many(std::uint32_t* scratch) {
     for (int row = 0; row < grid_.rows(); ++row) scratch[row] = 0;
     mark_many(scratch, scratch + 16, nullptr);
-    return as_mask(scratch, 0, grid_.levels);
+    return as_mask(scratch, grid_.levels);
 }
 
 } // namespace osem

@@ -17,17 +17,13 @@ struct SeenEdge;
 /// makes up. Cost of making it: O(corners of the face).
 class FaceInGrid {
   public:
-    /// Words for what is found out about a grid's rows and slabs.
-    // unreachable: at run time, as the compiler asks.
-    static constexpr std::uint32_t scratch_words(int levels) { return levels < most_grid_levels ? 48 : 72; }
-
     FaceInGrid(const Solid& solid, std::uint32_t face, const OctantGrid& grid)
         : solid_(solid), grid_(grid), face_(face), first_ring_(solid.first_ring(face)),
           ring_end_(solid.end_ring(face)), corners_(solid.corners + solid.first_corner(first_ring_)),
           end_(solid.corners + solid.first_corner(ring_end_)), extent_(solid, corners_, end_),
           plane_(extent_.low) {}
 
-    /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + scratch_words(levels).
+    /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + last_grid_space(levels).
     std::uint64_t octants_met(std::uint32_t* scratch) {
         Index index = {};
         if (is_in_one(index)) return std::uint64_t{1} << (index.at[0] + 4 * index.at[1] + 16 * index.at[2]);
@@ -39,7 +35,7 @@ class FaceInGrid {
     /// squares that it is seen to meet along y and z. For other faces: a classification of each octant in the
     /// face's bounding box through which its plane passes; or, with a word for each row of the grid in
     /// `near_rings`, which may be null, of those near a ring and of one for each range of a row between them.
-    /// Scratch: scratch_words(levels).
+    /// Scratch: last_grid_space(levels).
     void mark(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
         Index index = {};
         if (is_in_one(index)) {
@@ -52,7 +48,7 @@ class FaceInGrid {
     /// Adds what it adds to the winding number on the way from the reference point of the grid's corner
     /// octant to every other one: along y first, then z, then x, as crossing of each step. Cost: a few steps
     /// for each row that it crosses; for other faces than above also each edge for each row of rows. Scratch:
-    /// scratch_words(levels).
+    /// last_grid_space(levels).
     void add_crossings(RowWindings& windings, std::uint32_t* scratch) {
         // A ray is between the face's ends along both other axes: as those of few small faces are.
         if (int{has_between(axis_x)} + int{has_between(axis_y)} + int{has_between(axis_z)} < 2) return;

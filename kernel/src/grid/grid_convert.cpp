@@ -13,14 +13,9 @@ namespace {
 
 constexpr std::uint32_t winding_words = 64; // of the reference points of the octants met, in Morton order
 
-// They are also where a face's octants and tables lie; and a last grid's space is for its tables, then for
-// its parts.
-static_assert(winding_words >= 16 + FaceInGrid::scratch_words(2), "room to meet a face above the last grid");
-static_assert(last_grid_space(4) >= FaceInGrid::scratch_words(4) &&
-                  last_grid_space(5) >= FaceInGrid::scratch_words(5),
-              "room to meet a face in the last grid");
-static_assert(last_grid_space(4) >= 16 + 4 && last_grid_space(5) >= 64 + 16 + 4,
-              "room for the parts' states");
+// They are also where a face's octants and tables lie.
+static_assert(winding_words >= 16 + last_grid_space(2), "room to meet a face above the last grid");
+static_assert(last_grid_space(4) >= 4 && last_grid_space(5) >= 16, "room for the cubes' states");
 
 // Words of a list above the last grids, behind each other: the faces; which octants each of them meets, the
 // low halves first, then the high ones; and the winding numbers. Before these are known the placed faces are
@@ -261,7 +256,7 @@ void GridConversion::visit(const Entry& entry) {
         const std::uint32_t row = (place >> 2 & 3U) + ((place >> 4) << grid.levels);
         scratch_[words + m] = static_cast<std::uint32_t>(windings.at(row, place & 3U));
     }
-    const std::uint64_t inside = in_morton_order(as_mask(windings.inside(), 0, grid.levels)) & ~open;
+    const std::uint64_t inside = in_morton_order(as_mask(windings.inside(), grid.levels)) & ~open;
     if (is_of_eight(grids_)) {
         builder_.leaves(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(inside));
     } else {

@@ -14,22 +14,21 @@ struct GridLeaves {
     int levels;
     const std::uint32_t* inside; ///< black, if not also met
     const std::uint32_t* met;    ///< boundary; or null: none
-    std::uint32_t* scratch;      ///< a word for each 16 rows, for each 64 of them, and so on down to 4 words
+    std::uint32_t* scratch;      ///< a word for each 64 rows
 
-    /// Sets what is below the open octant, which the grid makes up. Cost: O(rows), and for each part of
-    /// 4 x 4 x 4 leaves that are not all alike its 16 rows (32 where some are boundary) and up to 8 nodes.
+    /// Sets what is below the open octant, which the grid makes up. Cost: O(rows), and for each cube of
+    /// 8 x 8 x 8 leaves that are not all alike its 64 rows (128 where some are boundary) and up to 73 nodes.
     void set(TreeBuilder& builder) const;
 
   private:
-    void sum_up() const;
-    std::uint32_t states_of_parts(std::uint32_t first_row) const;
-    std::uint32_t leaf_at(unsigned child) const;
-    std::uint8_t set_uniform(std::uint32_t leaf, int height, TreeBuilder& builder) const;
-    struct Leaves {
-        std::uint64_t may;
-        std::uint64_t must;
+    void note_states() const;
+    std::uint32_t states_of_cubes(std::uint32_t first_row) const;
+    void set_eight_cubes(unsigned octant, TreeBuilder& builder) const;
+    struct Cube {
+        std::uint64_t may[8];
+        std::uint64_t must[8];
     };
-    Leaves leaves_of(std::uint32_t leaf) const;
+    Cube cube(std::uint32_t row, unsigned x) const;
     void set_small(TreeBuilder& builder) const;
 };
 

@@ -79,14 +79,13 @@ constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
 /// Two rows as one word, the first one lowest.
 inline std::uint64_t two_rows(const std::uint32_t* row) { return row[0] | std::uint64_t{row[1]} << 32; }
 
-/// A part of 4 x 4 x 4 octants of a grid, or all of a grid of eight, as one mask: the row is that of its
-/// first octant, which is octant x of it (0 in a grid of eight).
-inline std::uint64_t as_mask(const std::uint32_t* row, unsigned x, int levels) {
+/// All octants of a grid of one or two levels, as one mask.
+inline std::uint64_t as_mask(const std::uint32_t* row, int levels) {
     if (levels == 1) return (row[0] & 3U) | (row[1] & 3U) << 4 | (row[2] & 3U) << 16 | (row[3] & 3U) << 20;
     std::uint64_t set = 0;
     constexpr std::uint64_t of_two = 0x0000000f0000000f;
-    for (unsigned k = 0; k < 4; ++k, row += std::size_t{1} << levels) {
-        const std::uint64_t layer = (two_rows(row) >> x & of_two) | (two_rows(row + 2) >> x & of_two) << 8;
+    for (unsigned k = 0; k < 4; ++k, row += 4) {
+        const std::uint64_t layer = (two_rows(row) & of_two) | (two_rows(row + 2) & of_two) << 8;
         set = set >> 16 | (layer | layer >> 28) << 48;
     }
     return set;
@@ -116,6 +115,43 @@ constexpr std::uint64_t in_morton_order(std::uint64_t set) {
     set = with_bits_exchanged(set, 0x0c0c0c0c0c0c0c0c, 2);
     set = with_bits_exchanged(set, 0x0000ff000000ff00, 8);
     return with_bits_exchanged(set, 0x00f000f000f000f0, 4);
+}
+
+/// Exchanges a bit of the numbers of two sets' members, by which those of the second one have `difference`
+/// more, with the bit that tells the sets apart. Those without it are named.
+inline void exchange_between(std::uint64_t& set, std::uint64_t& other, std::uint64_t without,
+                             unsigned difference) {
+    const std::uint64_t changes = (set >> difference ^ other) & without;
+    set ^= changes << difference;
+    other ^= changes;
+}
+
+/// A part of 8 x 8 x 8 octants of a grid, as one set in Morton order for each of its eight children. The row
+/// is that of its first octant, which is octant x of it.
+inline void eight_in_morton_order(const std::uint32_t* row, unsigned x, int levels,
+                                  std::uint64_t (&sets)[8]) {
+    // Numbers are (k2 k1 k0), of the set, and (j0 j1 j2 i2 i1 i0): so it is two rows at a time.
+    const auto two = [&row, x](unsigned j) {
+        if constexpr (sizeof(void*) == 8) { // as a register holds both
+            return two_rows(row + j) >> x & 0x000000ff000000ff;
+        } else {
+            return (row[j] >> x & 0xffU) | std::uint64_t{row[j + 1] >> x & 0xffU} << 32;
+        }
+    };
+    for (std::uint64_t& set : sets) {
+        set = two(0) | two(4) << 8 | two(2) << 16 | two(6) << 24;
+        row += std::size_t{1} << levels;
+    }
+    for (unsigned k = 0; k < 4; ++k) {
+        const unsigned low = k + (k & 2U);
+        exchange_between(sets[low], sets[low + 2], 0x00ff00ff00ff00ff, 8);
+    }
+    for (unsigned k = 0; k < 8; k += 2) exchange_between(sets[k], sets[k + 1], 0x0f0f0f0f0f0f0f0f, 4);
+    // They are (k2 j2 i2) and (j0 j1 k1 k0 i1 i0), and become (k2 j2 i2) and (k1 j1 i1 k0 j0 i0).
+    for (std::uint64_t& set : sets) {
+        set = with_bits_exchanged(set, 0x00000000ff00ff00, 24);
+        set = with_bits_exchanged(set, 0x00cc00cc00cc00cc, 6);
+    }
 }
 
 /// The place in a mask of the octant that is bit `m` in Morton order.

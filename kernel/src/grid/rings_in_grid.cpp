@@ -65,7 +65,7 @@ bool FaceInGrid::meets(int i, int j, int k) const {
 // known of all that hang together.
 void FaceInGrid::mark_any(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                           std::uint32_t* scratch, std::uint32_t* near_rings) const {
-    static_assert(scratch_words(4) >= 2 * 16 && scratch_words(5) >= 2 * 32, "room for a layer");
+    static_assert(last_grid_space(4) >= 2 * 16 && last_grid_space(5) >= 2 * 32, "room for a layer");
     const bool has_plane = !plane.is_null();
     if (near_rings == nullptr || !has_plane) {
         for (int k = range[2].first; k <= range[2].last; ++k) {

@@ -53,24 +53,28 @@ const std::uint32_t* RowWindings::inside() {
 }
 
 // What is added to a row's first number is not the number that would make it 0: they differ in any bit, up to
-// the sign, which stands for all above it.
+// the sign, which stands for all above it. No point is at 0 where the planes do not hold that number.
 void RowWindings::set_where_not_zero(std::uint32_t* low) const {
     const std::uint32_t* const first = first_;
     const std::uint32_t rows = rows_;
     const unsigned sign_plane = planes_ - 1;
     const std::uint32_t* const sign = plane(sign_plane);
     const std::uint32_t least = std::uint32_t{1} << sign_plane; // below 0 that the planes hold
+    std::uint32_t beyond = 0;                                   // bits that no number has which they hold
     for (std::uint32_t row = 0; row < rows; ++row) {
         const std::uint32_t number = 0 - first[row];
-        const std::uint32_t beyond = (number + least) >> sign_plane >> 1; // 0 for what they hold
-        const std::uint32_t differing = (low[row] ^ (0 - (number & 1U))) | (sign[row] ^ (0 - (number >> 31)));
-        low[row] = beyond != 0 ? ~std::uint32_t{0} : differing;
+        beyond |= number + least;
+        low[row] = (low[row] ^ (0 - (number & 1U))) | (sign[row] ^ (0 - (number >> 31)));
     }
     for (unsigned b = 1; b < sign_plane; ++b) {
         const std::uint32_t* const bits = plane(b);
         for (std::uint32_t row = 0; row < rows; ++row) {
             low[row] |= bits[row] ^ (0 - ((0 - first[row]) >> b & 1U));
         }
+    }
+    if (beyond >> sign_plane >> 1 == 0) return;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        if ((least - first[row]) >> sign_plane >> 1 != 0) low[row] = ~std::uint32_t{0};
     }
 }
 

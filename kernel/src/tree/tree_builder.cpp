@@ -11,21 +11,75 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
-// The children, of eight leaves each, whose leaves are not all alike: each other one is one leaf.
-constexpr std::uint8_t divided_children(std::uint64_t may, std::uint64_t must) {
+// Parts of 64 leaves, eight of them, have no more nodes.
+constexpr std::uint32_t most_of_parts = 8 * 8 + 8;
+
+// The children, of eight leaves each, whose leaves are not all alike: 1 in their bytes. Each other one is one
+// leaf.
+constexpr std::uint64_t bytes_divided(std::uint64_t may, std::uint64_t must) {
     constexpr std::uint64_t lower_bits = 0x7f7f7f7f7f7f7f7f;
     const std::uint64_t changes = ((may ^ may >> 1) | (must ^ must >> 1)) & lower_bits;
-    return lowest_of_bytes((changes + lower_bits) >> 7); // a byte with any comes to its highest bit
+    return (changes + lower_bits) >> 7 & 0x0101010101010101; // a byte with any comes to its highest bit
+}
+constexpr std::uint8_t divided_children(std::uint64_t may, std::uint64_t must) {
+    return lowest_of_bytes(bytes_divided(may, must));
 }
 
 Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
     return Node::of(children_of(may, child), children_of(must, child), 0);
 }
 
-// As node.is_uniform(). The masks of boundary leaves are not asked for as one number in memory: where they
-// have just been written one by one, some parts are slow to read that.
-constexpr bool is_uniform(const Node& node) {
-    return node.may == node.must ? node.is_uniform() : ((node.may ^ 0xffU) | node.must) == 0;
+constexpr bool is_uniform(std::uint8_t may, std::uint8_t must) {
+    return must == may ? may == 0 || may == 0xff : may == 0xff && must == 0;
+}
+
+// Whether 64 leaves are not all alike: differ from the first one.
+constexpr bool is_divided(std::uint64_t may, std::uint64_t must) {
+    return ((may ^ (0 - (may & 1U))) | (must ^ (0 - (must & 1U)))) != 0;
+}
+
+// The masks of an octant of 64 leaves.
+struct Masks {
+    std::uint8_t may;
+    std::uint8_t must;
+
+    Masks(std::uint64_t all_may, std::uint64_t all_must, std::uint8_t grey)
+        : may(static_cast<std::uint8_t>(lowest_of_bytes(all_may) & ~grey)),
+          must(static_cast<std::uint8_t>((lowest_of_bytes(all_must) & ~grey) | grey)) {}
+};
+
+// Where nodes have been written.
+struct Written {
+    std::uint32_t first; ///< the last group's first one
+    std::uint32_t end;
+};
+
+// Writes what is below some parts of 64 leaves, then their nodes. How many children are grey is no good
+// guess: so of a part all eight are written, the next one over it if it is a leaf; and then eight parts.
+Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std::uint64_t (&may)[8],
+                    const std::uint64_t (&must)[8]) {
+    std::uint8_t part_may[8] = {};
+    std::uint8_t part_must[8] = {};
+    NodeIndex part_first[8] = {};
+    unsigned count = 0;
+    for (std::uint8_t left = grey; left != 0; left = without_lowest(left), ++count) {
+        const unsigned part = lowest(left);
+        const std::uint64_t divided = bytes_divided(may[part], must[part]);
+        const std::uint64_t before = divided * 0x0101010101010100; // in each byte, of lower ones
+        Node* const group = nodes + end;
+        for (unsigned each = 0; each < 8; ++each) {
+            group[children_of(before, each)] = node_of_eight(may[part], must[part], each);
+        }
+        const Masks masks(may[part], must[part], lowest_of_bytes(divided));
+        const std::uint32_t more = children_of(before + divided, 7);
+        part_may[count] = masks.may;
+        part_must[count] = masks.must;
+        part_first[count] = more == 0 ? 0 : static_cast<NodeIndex>(end);
+        end += more;
+    }
+    Node* const group = nodes + end;
+    for (unsigned i = 0; i < 8; ++i) group[i] = Node::of(part_may[i], part_must[i], part_first[i]);
+    return {end, end + count};
 }
 
 } // namespace
@@ -115,31 +169,50 @@ void TreeBuilder::grandchildren(std::uint64_t may, std::uint64_t must, std::uint
 
 void TreeBuilder::eight_leaves(unsigned child, std::uint8_t may, std::uint8_t must) {
     OSEM_ASSERT(building_ && level_ + 1 < max_depth && child < 8 && (must & ~may) == 0);
-    set_child(child, Node::of(may, must, 0));
+    set_child(child, may, must, 0);
 }
 
 void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must) {
     OSEM_ASSERT(building_ && level_ + 2 < max_depth && child < 8 && (must & ~may) == 0);
     const std::uint8_t grey = divided_children(may, must);
-    const auto uniform = static_cast<std::uint8_t>(~grey);
     NodeIndex first = 0;
-    const std::uint32_t count = count_bits(grey);
-    Node* group = count == 0 ? nullptr : extend(count, first);
-    if (group == nullptr) {
-        // all alike, or counted
-    } else if (guesses_cost_much && pool_->capacity() - first >= 8) {
-        // How many there are is no good guess: each child is written, the next one over it if it is a leaf.
-        for (unsigned each = 0; each < 8; ++each) {
-            *group = node_of_eight(may, must, each);
-            group += grey >> each & 1U;
-        }
-    } else {
+    Node* group = grey == 0 ? nullptr : extend(count_bits(grey), first);
+    if (group != nullptr) {
         for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
             *group++ = node_of_eight(may, must, lowest(left));
         }
     }
-    set_child(child,
-              Node::of(lowest_of_bytes(may) & uniform, (lowest_of_bytes(must) & uniform) | grey, first));
+    const Masks masks(may, must, grey);
+    set_child(child, masks.may, masks.must, first);
+}
+
+void TreeBuilder::subtree_of_512(unsigned child, const std::uint64_t (&may)[8],
+                                 const std::uint64_t (&must)[8]) {
+    OSEM_ASSERT(building_ && level_ + 3 < max_depth && child < 8);
+    std::uint32_t divided = 0;
+    std::uint32_t leaves_may = 0;
+    std::uint32_t leaves_must = 0;
+    for (unsigned part = 0; part < 8; ++part) {
+        divided |= std::uint32_t{is_divided(may[part], must[part])} << part;
+        leaves_may |= static_cast<std::uint32_t>(may[part] & 1U) << part;
+        leaves_must |= static_cast<std::uint32_t>(must[part] & 1U) << part;
+    }
+    const auto grey = static_cast<std::uint8_t>(divided);
+    const auto uniform_may = static_cast<std::uint8_t>(leaves_may & ~divided);
+    const auto uniform_must = static_cast<std::uint8_t>(leaves_must & ~divided);
+    if (guesses_cost_much && grey != 0 && writing_ && pool_->capacity() - pool_->used() >= most_of_parts) {
+        const Written written = write_parts(pool_->memory_, pool_->used(), grey, may, must);
+        NodeIndex first_of_all = 0;
+        extend(written.end - pool_->used(), first_of_all);
+        return set_child(child, uniform_may, uniform_must | grey, static_cast<NodeIndex>(written.first));
+    }
+    open(child);
+    leaves(uniform_may, uniform_must);
+    for (std::uint8_t left = grey; left != 0; left = without_lowest(left)) {
+        const unsigned part = lowest(left);
+        subtree(part, may[part], must[part]);
+    }
+    close();
 }
 
 void TreeBuilder::close(const Node* like, const Node* or_like) {
@@ -155,22 +228,21 @@ void TreeBuilder::close(const Node* like, const Node* or_like) {
             write_group(level, grey, first);
         }
     }
-    const Node node = Node::of(level.may, level.must, first);
     if (level_ == 0) {
-        top_ = node;
+        top_ = Node::of(level.may, level.must, first);
         building_ = false;
         closed_ = true;
         return;
     }
     --level_;
-    set_child(level.child, node);
+    set_child(level.child, level.may, level.must, first);
 }
 
-void TreeBuilder::set_child(unsigned child, const Node& node) {
-    if (is_uniform(node)) {
-        leaf(child, node.colour(0));
+void TreeBuilder::set_child(unsigned child, std::uint8_t may, std::uint8_t must, NodeIndex first) {
+    if (is_uniform(may, must)) {
+        leaf(child, static_cast<Colour>((may & 1U) | (must & 1U) << 1));
     } else {
-        graft(child, node);
+        graft(child, Node::of(may, must, first));
     }
 }
 
