@@ -33,8 +33,9 @@ struct RowsInCommon {
         Four all_of_four = ~any_of_four;
         for (int k = 0; k < 8; ++k, row += std::size_t{1} << levels) {
             for (int j = 0; j < 8; j += 4) {
-                any_of_four |= four_at(row + j);
-                all_of_four &= four_at(row + j);
+                const Four rows = {row[j], row[j + 1], row[j + 2], row[j + 3]};
+                any_of_four |= rows;
+                all_of_four &= rows;
             }
         }
         any = any_of_four[0] | any_of_four[1] | any_of_four[2] | any_of_four[3];
