@@ -120,6 +120,15 @@ TEST(GridConversion, FineMeshes) {
     }
 }
 
+// Triangles in one octant of the last grids that are crossed by more rays than are kept before they count.
+TEST(GridConversion, TrianglesOfManyRays) {
+    constexpr std::int32_t leaf = root_side >> 10;
+    for (const std::int32_t off : {0, 1, leaf / 3}) {
+        const Octahedron octahedron = {{{16 * leaf + off, 48 * leaf + off, 15 * leaf}}, 12 * leaf + off};
+        expect_same(octahedron_solid(octahedron), 9, 11);
+    }
+}
+
 // Leaves of side 1 and 2, and triangles no larger than they.
 TEST(GridConversion, TheDeepestLeaves) {
     for (const std::int32_t low : {0, 12345, root_side - 9}) {

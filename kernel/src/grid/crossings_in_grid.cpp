@@ -57,26 +57,40 @@ class FaceInGrid::Passages {
         }
     }
 
-    static constexpr int most_kept = 15; // places, from one row to the next
-    static_assert(last_grid_space(1) >= most_kept + 32, "room for places");
-    // Rays along x in a box, of which a triangle that turns like this has some. Room: a row beside most_kept.
+    static constexpr int most_kept = 44; // places, from one step to the next
+    static_assert(last_grid_space(1) >= most_kept + 4, "room for places");
+    // Rays along x in a box, of which a triangle that turns like this has some, in four layers side by side.
+    // Where the triangle is seen its plane is where the triangle is, so quotients modulo 2^32 are the numbers
+    // themselves; elsewhere they do not matter.
     void add_small(EdgeFunctions& edges, const IndexRange& y, const IndexRange& z, int turn,
                    std::uint32_t* places) {
+        const auto most = static_cast<std::uint32_t>(grid_.side() - 1);
+        const std::uint32_t layer = RowWindings::place(grid_.row(0, 1), 0);
+        const Four layers = {0, layer, 2 * layer, 3 * layer};
+        FourStairs last = rows_.four(y.first, z.first);
         std::uint32_t* end = places;
-        PlaneStair row = rows_.across(y.first, z.first);
-        for (int k = z.first; k <= z.last; ++k, row.next()) {
-            PlaneStair last(rows_.along_u(), row);
-            std::int64_t place = RowWindings::place(grid_.row(y.first, k), 0);
-            std::uint32_t seen = edges.next_row();
+        for (int k = z.first; k <= z.last; k += 4) {
+            edges.see_four();
+            last.begin_four();
+            Four seen = edges.seen();
+            for (int beyond = z.last + 1 - k; beyond < 4; ++beyond) seen[beyond] = 0;
+            Four row = RowWindings::place(grid_.row(y.first, k), 0) + layers;
             for (std::uint32_t left = y.count(); left != 0; --left, last.next(), seen >>= 1) {
-                *end = static_cast<std::uint32_t>(place + last.value()); // kept if it is one
-                end += (seen & 1U) & std::uint32_t{last.is_within()};
-                place += RowWindings::place(1, 0);
+                Four outside = {};
+                set_signs(outside, last.values() | (most - 1 - last.values()));
+                const Four has = seen & ~outside & 1U;
+                const Four place = row + last.values();
+                for (unsigned ray = 0; ray < 4; ++ray) { // kept if it is one
+                    *end = place[ray];
+                    end += has[ray];
+                }
+                row += RowWindings::place(1, 0);
+                if (end - places <= most_kept) continue;
+                windings_.add_behind_each(places, end, -turn);
+                end = places;
             }
-            if (end - places <= most_kept && k != z.last) continue;
-            windings_.add_behind_each(places, end, -turn);
-            end = places;
         }
+        windings_.add_behind_each(places, end, -turn);
     }
 
   private:
@@ -128,10 +142,11 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
                       std::uint32_t* scratch) {
     const IndexRange own = between(axis); // no point, or every one, comes before the face
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
-    if (plane().normal(axis).value() == 0) return; // seen as a line
+    const std::int64_t across = plane().normal(axis).value();
+    if (across == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
     if (guesses_cost_much && axis == axis_x && end_ - corners_ == 3 &&
-        along_u.count() * along_v.count() <= most_small_rays) {
+        along_u.count() * along_v.count() <= most_small_rays && -across <= INT32_MAX && across <= INT32_MAX) {
         return pass_small(along_u, along_v, passages, scratch);
     }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)

@@ -33,15 +33,23 @@ class EdgeFunctions {
                  Edge(solid, corners[1], corners[2], u, v, turn, from, shift, of)},
           places_(places) {}
 
-    /// Those of the next row, from the first one on, which is in v.
-    std::uint32_t next_row() {
-        if (row_ % four == 0) see_four();
-        return seen_[row_++ % four];
+    /// Those of the next four rows, from the first one on.
+    void see_four() {
+        Four values[3];
+        for (unsigned edge = 0; edge < 3; ++edge) {
+            values[edge] = edges_[edge].value;
+            edges_[edge].value += edges_[edge].by_four_rows;
+        }
+        seen_ = Four{};
+        for (std::uint32_t left = places_; left != 0; --left) { // the last one is the highest bit
+            seen_ = seen_ >> 1 | (~(values[0] | values[1] | values[2]) & 0x80000000U);
+            for (unsigned edge = 0; edge < 3; ++edge) values[edge] += edges_[edge].by_u;
+        }
+        seen_ >>= 32 - places_;
     }
+    const Four& seen() const { return seen_; }
 
   private:
-    static constexpr std::uint32_t four = 4;
-
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
@@ -67,28 +75,13 @@ class EdgeFunctions {
             }
             const auto by_v = static_cast<std::uint32_t>(step_v);
             by_u = static_cast<std::uint32_t>(step_u);
-            by_four_rows = four * by_v;
+            by_four_rows = 4 * by_v;
             value = static_cast<std::uint32_t>(at) + Four{0, by_v, 2 * by_v, 3 * by_v};
         }
     };
 
-    void see_four() {
-        Four values[3];
-        for (unsigned edge = 0; edge < 3; ++edge) {
-            values[edge] = edges_[edge].value;
-            edges_[edge].value += edges_[edge].by_four_rows;
-        }
-        seen_ = Four{};
-        for (std::uint32_t left = places_; left != 0; --left) { // the last one is the highest bit
-            seen_ = seen_ >> 1 | (~(values[0] | values[1] | values[2]) & 0x80000000U);
-            for (unsigned edge = 0; edge < 3; ++edge) values[edge] += edges_[edge].by_u;
-        }
-        seen_ >>= 32 - places_;
-    }
-
     Edge edges_[3];
     std::uint32_t places_;
-    std::uint32_t row_ = 0;
     Four seen_ = {};
 };
 

@@ -189,8 +189,10 @@ inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges
     const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
     EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift,
                         EdgeFunctions::Of::squares, range[u].count());
-    const std::uint32_t* const end = rows + range[v].count();
-    for (; rows != end; ++rows) *rows = edges.next_row() << range[u].first;
+    for (std::uint32_t row = 0; row < range[v].count(); row += 4) {
+        edges.see_four();
+        for (unsigned k = 0; k < 4; ++k) rows[row + k] = edges.seen()[k] << range[u].first;
+    }
 }
 
 // By the same separating axes, each row and slab of the box from its first one on.

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "grid/four.hpp"
 #include "grid/octant_grid.hpp"
 
 namespace osem {
@@ -72,8 +73,10 @@ class DividedStair {
         now_.borrow(slope_.d);
     }
 
-    /// The quotient, and what it is when another number is added to the dividend; neither is clipped.
+    /// The quotient, what it leaves of the dividend, and what it is when another number is added to that; not
+    /// clipped.
     Value value() const { return now_.value; }
+    Value rest() const { return now_.rest; }
     Value value_with(const Quotient& added) const {
         return now_.value + added.value + (now_.rest >= slope_.d - added.rest ? 1 : 0);
     }
@@ -82,6 +85,38 @@ class DividedStair {
     Slope slope_;
     Quotient now_;
     int most_;
+};
+
+/// Four of them side by side, with 32 bits each and not clipped: quotients modulo 2^32 of dividends that
+/// begin at n, n + by_v, n + 2 by_v, n + 3 by_v and change by by_u; then of the next four. Precondition: d <
+/// 2^31.
+class FourStairs {
+    using Stair = DividedStair<std::int64_t>;
+
+  public:
+    FourStairs(std::int64_t d, std::int64_t n, std::int64_t by_u, std::int64_t by_v)
+        : along_u_(d, by_u), first_(Stair::Slope(along_u_, by_v), n, 0, 0) {}
+
+    void begin_four() {
+        for (unsigned k = 0; k < 4; ++k, first_.next()) {
+            values_[k] = static_cast<std::uint32_t>(first_.value());
+            rests_[k] = static_cast<std::uint32_t>(first_.rest());
+        }
+    }
+    void next() {
+        Four below = {};
+        rests_ += static_cast<std::uint32_t>(along_u_.step.rest);
+        set_signs(below, rests_);
+        values_ += static_cast<std::uint32_t>(along_u_.step.value) + below;
+        rests_ += static_cast<std::uint32_t>(along_u_.d) & below;
+    }
+    const Four& values() const { return values_; }
+
+  private:
+    Stair::Slope along_u_;
+    Stair first_; ///< of the next four
+    Four values_ = {};
+    Four rests_ = {};
 };
 
 /// The same without a division. Precondition: the guess is in [-1, most]; it only says where to begin.
@@ -216,17 +251,21 @@ class OverPlane {
 
     /// The one along u that begins at (u, v).
     Stair at(int u, int v) {
-        const Stair stair(along_u_, n_ + u * by_u_ + v * by_v_, most_, guess_);
+        const Stair stair(along_u_, dividend(u, v), most_, guess_);
         guess_ = stair.floor();
         return stair;
     }
     /// One along v that begins there. From each of its steps one along u may begin: Stair(along_u(), step).
     Stair across(int u, int v) const {
-        return Stair(typename Stair::Slope(along_u_, by_v_), n_ + u * by_u_ + v * by_v_, most_, guess_);
+        return Stair(typename Stair::Slope(along_u_, by_v_), dividend(u, v), most_, guess_);
     }
+    /// Four along u that begin there, in rows side by side along v; then the next four.
+    FourStairs four(int u, int v) const { return {along_u_.d, dividend(u, v), by_u_, by_v_}; }
     const typename Stair::Slope& along_u() const { return along_u_; }
 
   private:
+    std::int64_t dividend(int u, int v) const { return n_ + u * by_u_ + v * by_v_; }
+
     typename Stair::Slope along_u_;
     std::int64_t n_; ///< the dividend at (0, 0)
     std::int64_t by_u_;
