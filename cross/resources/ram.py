@@ -5,15 +5,22 @@ import re
 from kernel_build import compile_source
 from processors import RESOURCES, Failure, run
 
-PREFIX = "size_of_"
+SIZE = "size_of_"
+OBJECT = "object_of_"
 
 
 def sizes(build):
-    """Bytes of each type, as 'ram/TYPE/WIDTH'."""
+    """Bytes of each type, as 'ram/TYPE/WIDTH', and of a static object's initial values in flash, as 'initial/...'."""
     compiled = compile_source(build, RESOURCES / "sizes.cpp", build.directory / "sizes.o")
     listed = run(["arm-none-eabi-nm", "-S", compiled])
-    found = re.findall(rf"^\S+ ([0-9a-f]+) \w {PREFIX}(\w+)$", listed, re.MULTILINE)
-    return {f"ram/{name}/{build.index_bits}": int(size, 16) for size, name in found}
+    found = {}
+    for size, kind, name in re.findall(r"^\S+ ([0-9a-f]+) (\w) (\w+)$", listed, re.MULTILINE):
+        if name.startswith(SIZE):
+            found[f"ram/{name.removeprefix(SIZE)}/{build.index_bits}"] = int(size, 16)
+        elif name.startswith(OBJECT):
+            zeros = kind in "Bb"
+            found[f"initial/{name.removeprefix(OBJECT)}/{build.index_bits}"] = 0 if zeros else int(size, 16)
+    return found
 
 
 def symbol(image, name):

@@ -124,14 +124,18 @@ def ram_table(figures):
     def size(name):
         return [figures[f"ram/{name}/{bits}"] for bits in INDEX_BITS]
 
+    def held(name):
+        initial = figures.get(f"initial/{name}/{INDEX_BITS[0]}", 0) != 0
+        return [f"`{name}`{' *' if initial else ''}", *size(name)]
+
     pools = [f"{own} + {node} n" for own, node in zip(size("NodePool"), size("Node"))]
     rows = [["a pool of n nodes", *pools],
             ["`check`: scratch for c corners", *(f"{edge} c" for edge in size("Edge"))],
             ["`Conversion`: scratch for f faces", "4 f", "4 f"],
             ["`Boundary`: scratch for c corners", *(f"{corner} c" for corner in size("BoundaryCorner"))],
             ["`compact`: scratch for n nodes in use", "4 ceil(n / 32)", "4 ceil(n / 32)"]]
-    held = [name for name in names(figures, "ram") if name not in ("Node", "NodePool", "Edge", "BoundaryCorner")]
-    rows += [[f"`{name}`", *size(name)] for name in sorted(held, key=lambda name: -size(name)[0])]
+    types = [name for name in names(figures, "ram") if name not in ("Node", "NodePool", "Edge", "BoundaryCorner")]
+    rows += [held(name) for name in sorted(types, key=lambda name: -size(name)[0])]
     return table(["what", *(f"{bits}-bit indices" for bits in INDEX_BITS)], rows)
 
 
@@ -165,7 +169,9 @@ with `OSEM_FAST_GRIDS`, to which the target does not apply, the greatest bound i
 COUNT_TEXT = """\
 Instructions, counted by QEMU in steps of 40, with 32-bit indices. (The M0's code runs on the model of a
 Cortex-M3, whose memory is large enough.)"""
-RAM_TEXT = "RAM, in bytes, the same on both processors."
+RAM_TEXT = """\
+RAM, in bytes, the same on both processors. A type with a star does not begin with zeros alone: a static object of
+it takes as many bytes of flash besides, unless it is made at run time."""
 IMAGE_TEXT = "The example firmware, whole images in bytes (Cortex-M0, 16-bit indices)."
 
 

@@ -40,7 +40,7 @@ struct Sets {
 };
 
 TreeOutcome tree_of(const Sets& sets, int levels, bool three_valued, NodePool* pool) {
-    Rows scratch(16);
+    Rows scratch(sets.inside.size() / 64); // none where there is no cube
     TreeBuilder builder;
     builder.begin(pool);
     GridLeaves{levels, sets.inside.data(), three_valued ? sets.met.data() : nullptr, scratch.data()}.set(
@@ -75,16 +75,20 @@ TEST(GridLeaves, MakeTheTreeOfTheirCells) {
     }
 }
 
-// Each colour all over, and one cell that is not like the others, at every place of a few.
+// Each colour all over, and one cell that is not like the others: each one, of deep grids some.
 TEST(GridLeaves, OneCellAmongOthers) {
     std::mt19937 random(6);
     for (int levels = 1; levels <= most_grid_levels; ++levels) {
         for (const Colour all : three_colours) {
             expect_tree_of(DenseGrid(levels, all), true, random);
             for (const Colour one : three_colours) {
-                DenseGrid grid(levels, all);
-                grid[random() % grid.size()] = one;
-                expect_tree_of(grid, true, random);
+                if (one == all) continue;
+                const std::size_t cells = std::size_t{1} << (3 * levels);
+                for (std::size_t trial = 0; trial < (cells < 512 ? cells : 16); ++trial) {
+                    DenseGrid grid(levels, all);
+                    grid[cells < 512 ? trial : random() % cells] = one;
+                    expect_tree_of(grid, true, random);
+                }
             }
         }
     }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "tree/masks.hpp"
@@ -325,6 +327,27 @@ TEST(TreeBuilder, GreaterSubtreesAreCountedWhenThePoolRunsOut) {
     HeapPool pool(3 + needed);
     pool.fill_to(3);
     EXPECT_EQ(plant_greater_subtrees(grid, &*pool).status, Status::ok);
+}
+
+// All parts and all their children are divided, so it takes all nodes there can be. What is behind the pool
+// stays as it is, however few nodes are left.
+TEST(TreeBuilder, TheGreatestSubtreeNearTheEndOfAPool) {
+    constexpr std::uint64_t every_second = 0x5555555555555555;
+    const std::uint64_t sets[8] = {every_second, every_second, every_second, every_second,
+                                   every_second, every_second, every_second, every_second};
+    const Node guard = Node::of(0xf0, 0x3c, 12345);
+    for (std::uint32_t room = 60; room < 90; ++room) {
+        std::vector<Node> memory(200, guard);
+        NodePool pool(memory.data(), room);
+        TreeBuilder builder;
+        builder.begin(&pool);
+        builder.subtree_of_512(6, sets, sets);
+        builder.close();
+        const TreeOutcome outcome = builder.finish(4);
+        EXPECT_EQ(outcome.nodes_needed, 73U);
+        EXPECT_EQ(outcome.status, room < 73 ? Status::pool_exhausted : Status::ok);
+        for (std::size_t node = room; node < memory.size(); ++node) ASSERT_EQ(memory[node], guard) << room;
+    }
 }
 
 TEST(TreeBuilder, GraftsAreShared) {

@@ -105,7 +105,7 @@ class Labelling {
 
   private:
     /// In the order of work; a labelling given up has no more of it either.
-    enum class Phase : std::uint8_t { marking, linking, folding, done, given_up };
+    enum class Phase : std::uint8_t { done, given_up, marking, linking, folding };
     struct Frame {
         std::uint32_t faces; ///< length of the prefix of the face list that meets this block
         std::uint32_t index; ///< of its word
@@ -130,7 +130,7 @@ class Labelling {
     CheckedSolid solid_ = CheckedSolid::vouched(Solid{});
     WindingRule winding_ = WindingRule::nonzero;
     Phase phase_ = Phase::done;
-    int depth_ = 1;
+    int depth_ = 0;
     std::uint32_t* list_ = nullptr;
     std::uint32_t* blocks_ = nullptr;
     std::uint32_t block_size_ = 0;

@@ -151,7 +151,7 @@ class Boundary {
     void add_vertex(const Point& at);
     void add_corner(const Point& at, std::uint8_t facing, unsigned in, unsigned out);
 
-    Octree tree_ = {nullptr, Node::uniform(Colour::white), 1};
+    Octree tree_ = {};
     BoundaryCorner* corners_ = nullptr;
     std::uint32_t capacity_ = 0;
     BoundarySizes sizes_ = {};

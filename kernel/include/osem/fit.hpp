@@ -177,7 +177,7 @@ class Pruning {
     void give_up();
     const Node& child() const;
 
-    Octree tree_ = {nullptr, Node::uniform(Colour::white), 1};
+    Octree tree_ = {};
     std::uint64_t visited_ = 0;
     std::uint64_t too_low_ = 0; ///< a price that keeps too many
     std::uint64_t enough_ = 0;  ///< one that does not

@@ -22,7 +22,8 @@ constexpr int upper_levels(int depth, int last_levels = most_grid_levels) {
 constexpr int nested_grids(int levels) { return (levels + 1) / 2; }
 
 /// Words that a last grid takes beside its rows: for what is found out about rows and slabs as a face meets
-/// them, and then for cubes of leaves.
+/// them, and then for cubes of leaves. (For the former other grids take as many, among their winding
+/// numbers.)
 constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < most_grid_levels ? 48 : 72; }
 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
@@ -33,6 +34,7 @@ constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < 
 /// a row each time that what winding numbers in a row differ by from its first one outgrows a power of two
 /// from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4168 words for 32 x 32
 /// rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are mostly enough.
+/// In 64 bits, so that what exceeds the greatest scratch, 2^32 - 1 words, is told and not cut off.
 /// Preconditions: depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
@@ -157,7 +159,7 @@ class GridConversion {
     std::uint32_t room_ = 0; ///< words of scratch in front of the placed faces
     std::uint64_t visited_ = 0;
     Octant octant_ = root_octant;
-    int last_levels_ = 1;
+    int last_levels_ = 0;
     int grids_ = 0; ///< that lie in one another, the innermost one's frame last
     bool started_ = false;
     bool overflowed_ = false;

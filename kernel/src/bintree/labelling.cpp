@@ -55,7 +55,7 @@ Status Labelling::begin(const CheckedSolid& solid, int depth, WindingRule windin
 }
 
 bool Labelling::step(std::uint32_t steps) {
-    for (; steps > 0 && phase_ < Phase::done; --steps) {
+    for (; steps > 0 && phase_ >= Phase::marking; --steps) {
         switch (phase_) {
         case Phase::marking:
             mark();
@@ -67,7 +67,7 @@ bool Labelling::step(std::uint32_t steps) {
             fold();
         }
     }
-    return phase_ < Phase::done;
+    return phase_ >= Phase::marking;
 }
 
 // Blocks past the end of the scratch are only counted.

@@ -57,7 +57,7 @@ class FaceInGrid::Passages {
         }
     }
 
-    static constexpr int most_kept = 44; // places, from one step to the next
+    static constexpr int most_kept = 44; // places, to which a step adds up to four
     static_assert(last_grid_space(1) >= most_kept + 4, "room for places");
     // Rays along x in a box, of which a triangle that turns like this has some, in four layers side by side.
     // Where the triangle is seen its plane is where the triangle is, so quotients modulo 2^32 are the numbers
@@ -77,7 +77,7 @@ class FaceInGrid::Passages {
             Four row = RowWindings::place(grid_.row(y.first, k), 0) + layers;
             for (std::uint32_t left = y.count(); left != 0; --left, last.next(), seen >>= 1) {
                 Four outside = {};
-                set_signs(outside, last.values() | (most - 1 - last.values()));
+                set_where_negative(outside, last.values() | (most - 1 - last.values()));
                 const Four has = seen & ~outside & 1U;
                 const Four place = row + last.values();
                 for (unsigned ray = 0; ray < 4; ++ray) { // kept if it is one
@@ -145,8 +145,9 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     const std::int64_t across = plane().normal(axis).value();
     if (across == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
-    if (guesses_cost_much && axis == axis_x && end_ - corners_ == 3 &&
-        along_u.count() * along_v.count() <= most_small_rays && -across <= INT32_MAX && across <= INT32_MAX) {
+    const bool has_31_bits = -across <= INT32_MAX && across <= INT32_MAX; // as FourStairs ask for
+    if (guesses_cost_much && axis == axis_x && end_ - corners_ == 3 && has_31_bits &&
+        along_u.count() * along_v.count() <= most_small_rays) {
         return pass_small(along_u, along_v, passages, scratch);
     }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)

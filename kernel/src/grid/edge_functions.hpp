@@ -19,12 +19,12 @@ constexpr std::uint32_t most_small_octants = 16; ///< along each of its sides
 /// What a triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares: those
 /// where the function of no edge is below 0. A function is linear, so it goes from place to place by one
 /// addition; it is divided by the octants' side, rounded down, which leaves its sign. Four rows go side by
-/// side: a vector is a register where parts have such ones.
+/// side.
 class EdgeFunctions {
   public:
     enum class Of { points, squares };
 
-    /// Rows of up to 32 places along u, from a place on, a point or a square's lower corner. Turn: 1 if the
+    /// Rows of 1 to 32 places along u, from a place on, a point or a square's lower corner. Turn: 1 if the
     /// corners are seen to turn to the left, -1 to the right; they must turn.
     EdgeFunctions(const Solid& solid, const std::uint32_t* corners, int u, int v, int turn, const Point& from,
                   int shift, Of of, std::uint32_t places)
@@ -33,7 +33,7 @@ class EdgeFunctions {
                  Edge(solid, corners[1], corners[2], u, v, turn, from, shift, of)},
           places_(places) {}
 
-    /// Those of the next four rows, from the first one on.
+    /// Goes on to the next four rows, the first time to the first ones.
     void see_four() {
         Four values[3];
         for (unsigned edge = 0; edge < 3; ++edge) {
@@ -47,6 +47,7 @@ class EdgeFunctions {
         }
         seen_ >>= 32 - places_;
     }
+    /// Of each of these the places that it has, a bit for each, the first one lowest.
     const Four& seen() const { return seen_; }
 
   private:

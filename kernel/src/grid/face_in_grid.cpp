@@ -182,7 +182,8 @@ inline bool FaceInGrid::is_small(const Ranges& range) {
     return true;
 }
 
-// A word for each row of the box as seen along an axis: which squares of it the triangle is seen to meet.
+// A word for each row of the box as seen along an axis, and for some more up to a multiple of four: which
+// squares of it the triangle is seen to meet.
 inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges& range,
                                   std::uint32_t* rows) const {
     const int axis = axis_x + axis_y + axis_z - u - v;
@@ -198,11 +199,13 @@ inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges
 // By the same separating axes, each row and slab of the box from its first one on.
 inline void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                                    std::uint32_t* scratch) const {
-    static_assert(last_grid_space(4) >= 3 * most_small_octants, "room for what is seen");
+    static_assert(last_grid_space(4) >= 3 * most_small_octants && most_small_octants % 4 == 0,
+                  "room for what is seen");
     std::uint32_t* const x_by_y = scratch;
     std::uint32_t* const x_by_z = x_by_y + range[1].count();
     std::uint32_t* const y_by_z = x_by_z + range[2].count();
-    see_small(axis_x, axis_y, plane, range, x_by_y);
+    see_small(axis_x, axis_y, plane, range,
+              x_by_y); // in this order, as each writes some words behind its rows
     see_small(axis_x, axis_z, plane, range, x_by_z);
     see_small(axis_y, axis_z, plane, range, y_by_z);
     PassedOctants passed(plane, grid_, range[0].first);

@@ -31,8 +31,8 @@ struct RowsInCommon {
     RowsInCommon(const std::uint32_t* row, int levels) {
         Four any_of_four = {};
         Four all_of_four = ~any_of_four;
-        for (int k = 0; k < 8; ++k, row += std::size_t{1} << levels) {
-            for (int j = 0; j < 8; j += 4) {
+        for (std::size_t layer = 0; layer < 8; ++layer) {
+            for (std::size_t j = layer << levels, end = j + 8; j < end; j += 4) {
                 const Four rows = {row[j], row[j + 1], row[j + 2], row[j + 3]};
                 any_of_four |= rows;
                 all_of_four &= rows;

@@ -131,16 +131,16 @@ inline void exchange_between(std::uint64_t& set, std::uint64_t& other, std::uint
 inline void eight_in_morton_order(const std::uint32_t* row, unsigned x, int levels,
                                   std::uint64_t (&sets)[8]) {
     // Numbers are (k2 k1 k0), of the set, and (j0 j1 j2 i2 i1 i0): so it is two rows at a time.
-    const auto two = [&row, x](unsigned j) {
+    const auto two = [row, x](std::size_t j) {
         if constexpr (sizeof(void*) == 8) { // as a register holds both
             return two_rows(row + j) >> x & 0x000000ff000000ff;
         } else {
             return (row[j] >> x & 0xffU) | std::uint64_t{row[j + 1] >> x & 0xffU} << 32;
         }
     };
-    for (std::uint64_t& set : sets) {
-        set = two(0) | two(4) << 8 | two(2) << 16 | two(6) << 24;
-        row += std::size_t{1} << levels;
+    for (std::size_t k = 0; k < 8; ++k) {
+        const std::size_t j = k << levels;
+        sets[k] = two(j) | two(j + 4) << 8 | two(j + 2) << 16 | two(j + 6) << 24;
     }
     for (unsigned k = 0; k < 4; ++k) {
         const unsigned low = k + (k & 2U);

@@ -106,7 +106,7 @@ class FourStairs {
     void next() {
         Four below = {};
         rests_ += static_cast<std::uint32_t>(along_u_.step.rest);
-        set_signs(below, rests_);
+        set_where_negative(below, rests_);
         values_ += static_cast<std::uint32_t>(along_u_.step.value) + below;
         rests_ += static_cast<std::uint32_t>(along_u_.d) & below;
     }

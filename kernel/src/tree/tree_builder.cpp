@@ -29,6 +29,8 @@ Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
     return Node::of(children_of(may, child), children_of(must, child), 0);
 }
 
+// As Node::is_uniform, of masks that need not be put together to a node first: some parts are slow to read
+// as one number what has just been written as two.
 constexpr bool is_uniform(std::uint8_t may, std::uint8_t must) {
     return must == may ? may == 0 || may == 0xff : may == 0xff && must == 0;
 }
@@ -193,6 +195,7 @@ void TreeBuilder::subtree_of_512(unsigned child, const std::uint64_t (&may)[8],
     std::uint32_t leaves_may = 0;
     std::uint32_t leaves_must = 0;
     for (unsigned part = 0; part < 8; ++part) {
+        OSEM_ASSERT((must[part] & ~may[part]) == 0);
         divided |= std::uint32_t{is_divided(may[part], must[part])} << part;
         leaves_may |= static_cast<std::uint32_t>(may[part] & 1U) << part;
         leaves_must |= static_cast<std::uint32_t>(must[part] & 1U) << part;
@@ -202,7 +205,7 @@ void TreeBuilder::subtree_of_512(unsigned child, const std::uint64_t (&may)[8],
     const auto uniform_must = static_cast<std::uint8_t>(leaves_must & ~divided);
     if (guesses_cost_much && grey != 0 && writing_ && pool_->capacity() - pool_->used() >= most_of_parts) {
         const Written written = write_parts(pool_->memory_, pool_->used(), grey, may, must);
-        NodeIndex first_of_all = 0;
+        NodeIndex first_of_all = 0; // they stand where extend gives room now, which there is
         extend(written.end - pool_->used(), first_of_all);
         return set_child(child, uniform_may, uniform_must | grey, static_cast<NodeIndex>(written.first));
     }
