@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -18,6 +19,14 @@ namespace {
 
 using Rows = std::vector<std::uint32_t>;
 
+std::array<std::uint32_t, 3> index_of(const DenseGrid& grid, std::size_t cell) {
+    std::array<std::uint32_t, 3> index = {};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        index[axis] = static_cast<std::uint32_t>(grid.corner(cell).at[axis] / grid.cell_side());
+    }
+    return index;
+}
+
 // Octants are inside as the cells are black; where they are boundary, that does not matter.
 struct Sets {
     Rows inside;
@@ -26,15 +35,12 @@ struct Sets {
     Sets(const DenseGrid& grid, std::mt19937& random)
         : inside(std::size_t{1} << (2 * grid.depth())), met(inside.size()) {
         for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-            const Point corner = grid.corner(cell);
-            const auto index = [&](int axis) {
-                return static_cast<std::uint32_t>(corner.at[axis] / grid.cell_side());
-            };
-            const std::size_t row = index(axis_y) + (std::size_t{index(axis_z)} << grid.depth());
+            const std::array<std::uint32_t, 3> at = index_of(grid, cell);
+            const std::size_t row = at[axis_y] + (std::size_t{at[axis_z]} << grid.depth());
             const bool is_met = grid[cell] == Colour::boundary;
             const bool is_inside = grid[cell] == Colour::black || (is_met && random() % 2 == 0);
-            inside[row] |= std::uint32_t{is_inside} << index(axis_x);
-            met[row] |= std::uint32_t{is_met} << index(axis_x);
+            inside[row] |= std::uint32_t{is_inside} << at[axis_x];
+            met[row] |= std::uint32_t{is_met} << at[axis_x];
         }
     }
 };
@@ -94,16 +100,8 @@ TEST(GridLeaves, OneCellAmongOthers) {
     }
 }
 
-// The place of an octant in its cube: child by child, from the greatest down.
-std::uint32_t place_in_order(const std::uint32_t (&at)[3]) {
-    std::uint32_t place = 0;
-    for (unsigned bit = 3; bit-- > 0;) {
-        place = place << 3 | (at[2] >> bit & 1U) << 2 | (at[1] >> bit & 1U) << 1 | (at[0] >> bit & 1U);
-    }
-    return place;
-}
-
 TEST(GridLeaves, CubesInMortonOrder) {
+    const DenseGrid cube(3);
     std::mt19937 random(7);
     for (int levels = 3; levels <= most_grid_levels; ++levels) {
         Rows rows(std::size_t{1} << (2 * levels));
@@ -116,11 +114,10 @@ TEST(GridLeaves, CubesInMortonOrder) {
                     8 * (corner >> (levels - 3) & mask) + (8 * (corner >> (2 * (levels - 3))) << levels);
                 std::uint64_t sets[8] = {};
                 eight_in_morton_order(&rows[row], x, levels, sets);
-                for (std::uint32_t octant = 0; octant < 512; ++octant) {
-                    const std::uint32_t at[3] = {octant & 7U, octant >> 3 & 7U, octant >> 6};
-                    const std::uint32_t place = place_in_order(at);
+                for (std::size_t place = 0; place < cube.size(); ++place) {
+                    const std::array<std::uint32_t, 3> at = index_of(cube, place);
                     ASSERT_EQ(sets[place / 64] >> (place % 64) & 1U,
-                              rows[row + at[1] + (at[2] << levels)] >> (x + at[0]) & 1U);
+                              rows[row + at[axis_y] + (at[axis_z] << levels)] >> (x + at[axis_x]) & 1U);
                 }
             }
         }

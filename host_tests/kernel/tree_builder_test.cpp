@@ -31,21 +31,31 @@ TEST(TreeBuilder, CountsWithoutAPool) {
     }
 }
 
-TEST(TreeBuilder, ExhaustionAtEveryCapacity) {
-    const DenseGrid grid = random_grid(3, 5, three_colours);
+// However few nodes are free: the missing ones are counted, and the others are as they were. Plants as
+// plant(grid, pool) does.
+template <class Plant>
+void expect_missing_counted(const DenseGrid& grid, std::uint32_t least, const Plant& planting) {
     const std::uint32_t needed = plant(grid, nullptr).nodes_needed;
-    ASSERT_GT(needed, 20U);
+    ASSERT_GT(needed, least);
     for (std::uint32_t room = 0; room < needed; ++room) {
         HeapPool pool(3 + room);
         pool.fill_to(3);
         const PoolImage before(pool);
-        const TreeOutcome outcome = plant(grid, &*pool);
+        const TreeOutcome outcome = planting(grid, &*pool);
         EXPECT_EQ(outcome.status, Status::pool_exhausted);
         EXPECT_EQ(outcome.nodes_needed, needed);
         EXPECT_EQ(outcome.nodes_missing, needed - room);
         EXPECT_TRUE(before.same_nodes(pool));
         EXPECT_GT(pool->refused(), before.refused());
     }
+    HeapPool pool(3 + needed);
+    pool.fill_to(3);
+    EXPECT_EQ(planting(grid, &*pool).status, Status::ok);
+}
+
+TEST(TreeBuilder, ExhaustionAtEveryCapacity) {
+    expect_missing_counted(random_grid(3, 5, three_colours), 20,
+                           [](const DenseGrid& grid, NodePool* pool) { return plant(grid, pool); });
 }
 
 TEST(TreeBuilder, GivingUpRollsBack) {
@@ -138,9 +148,9 @@ void expect_tree_of(const DenseGrid& grid, const TreeOutcome& outcome) {
 }
 
 // Of depth 3, by subtrees.
-TreeOutcome plant_subtrees(const DenseGrid& grid, NodePool& pool) {
+TreeOutcome plant_subtrees(const DenseGrid& grid, NodePool* pool) {
     TreeBuilder builder;
-    builder.begin(&pool);
+    builder.begin(pool);
     for (unsigned child = 0; child < 8; ++child) {
         const Sets sets(grid, 64 * child);
         builder.subtree(child, sets.may, sets.must);
@@ -153,7 +163,7 @@ TEST(TreeBuilder, SubtreesFromLeavesOfTwoLevels) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         const DenseGrid grid = random_grid(3, seed, three_colours);
         HeapPool pool(600);
-        expect_tree_of(grid, plant_subtrees(grid, *pool));
+        expect_tree_of(grid, plant_subtrees(grid, &*pool));
     }
 }
 
@@ -298,35 +308,11 @@ TEST(TreeBuilder, SubtreesAndGrandchildrenAtFullDepth) {
 }
 
 TEST(TreeBuilder, SubtreesAreCountedWhenThePoolRunsOut) {
-    const DenseGrid grid = random_grid(3, 5, three_colours);
-    const std::uint32_t needed = plant(grid, nullptr).nodes_needed;
-    for (std::uint32_t room = 0; room < needed; ++room) {
-        HeapPool pool(3 + room);
-        pool.fill_to(3);
-        const PoolImage before(pool);
-        const TreeOutcome outcome = plant_subtrees(grid, *pool);
-        EXPECT_EQ(outcome.status, Status::pool_exhausted);
-        EXPECT_EQ(outcome.nodes_missing, needed - room);
-        EXPECT_TRUE(before.same_nodes(pool));
-    }
+    expect_missing_counted(random_grid(3, 5, three_colours), 20, plant_subtrees);
 }
 
 TEST(TreeBuilder, GreaterSubtreesAreCountedWhenThePoolRunsOut) {
-    const DenseGrid grid = random_grid(4, 5, three_colours);
-    const std::uint32_t needed = plant(grid, nullptr).nodes_needed;
-    ASSERT_GT(needed, 100U);
-    for (std::uint32_t room = 0; room < needed; ++room) {
-        HeapPool pool(3 + room);
-        pool.fill_to(3);
-        const PoolImage before(pool);
-        const TreeOutcome outcome = plant_greater_subtrees(grid, &*pool);
-        EXPECT_EQ(outcome.status, Status::pool_exhausted);
-        EXPECT_EQ(outcome.nodes_missing, needed - room);
-        EXPECT_TRUE(before.same_nodes(pool));
-    }
-    HeapPool pool(3 + needed);
-    pool.fill_to(3);
-    EXPECT_EQ(plant_greater_subtrees(grid, &*pool).status, Status::ok);
+    expect_missing_counted(random_grid(4, 5, three_colours), 100, plant_greater_subtrees);
 }
 
 // All parts and all their children are divided, so it takes all nodes there can be. What is behind the pool

@@ -104,7 +104,7 @@ class Labelling {
     LabellingOutcome finish();
 
   private:
-    /// In the order of work; a labelling given up has no more of it either.
+    /// In the order of work, behind those that have none left.
     enum class Phase : std::uint8_t { done, given_up, marking, linking, folding };
     struct Frame {
         std::uint32_t faces; ///< length of the prefix of the face list that meets this block

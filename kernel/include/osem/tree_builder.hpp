@@ -80,8 +80,8 @@ class TreeBuilder {
 
     /// The tree, or what kept it from being. Status: ok; pool_exhausted; unfinished when the root octant is
     /// still open or nothing was begun (pool_exhausted if the pool has run out by then), in which case the
-    /// pool is as it was, and the build is given up: asked again it is unfinished. Precondition: depth is in
-    /// [1, 20], and no leaf is deeper.
+    /// pool is as it was, and the build is given up: asked again it is unfinished. Precondition of a
+    /// tree: depth is in [1, 20], and no leaf is deeper.
     TreeOutcome finish(int depth);
 
     /// Gives the pool's nodes back, as if the build had never begun. After finish it does nothing.

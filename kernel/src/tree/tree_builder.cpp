@@ -29,8 +29,8 @@ Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
     return Node::of(children_of(may, child), children_of(must, child), 0);
 }
 
-// As Node::is_uniform, of masks that need not be put together to a node first: some parts are slow to read
-// as one number what has just been written as two.
+// As Node::is_uniform, of masks that are not put together to a node first: what has just been written byte by
+// byte is slow to read as one number. Asked so everywhere it would take more flash.
 constexpr bool is_uniform(std::uint8_t may, std::uint8_t must) {
     return must == may ? may == 0 || may == 0xff : may == 0xff && must == 0;
 }
@@ -60,7 +60,7 @@ struct Written {
 // guess: so of a part all eight are written, the next one over it if it is a leaf; and then eight parts.
 Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std::uint64_t (&may)[8],
                     const std::uint64_t (&must)[8]) {
-    std::uint8_t part_may[8] = {};
+    std::uint8_t part_may[8] = {}; // not as nodes, for the same reason
     std::uint8_t part_must[8] = {};
     NodeIndex part_first[8] = {};
     unsigned count = 0;
