@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <random>
 
+#include "grid/seen_edge.hpp"
+#include "osem/lattice.hpp"
+
 namespace osem::tests {
 
 namespace {
@@ -46,34 +49,36 @@ bool meets_square(const Triangle2& triangle, const Plane2& corner, std::int64_t 
     return true;
 }
 
+// A triangle less than 16 octants long, and a place near it; of their coordinates many are on octants'
+// borders.
 struct Case {
-    Point points[3];
+    SmallTriangle from_place = {};
     Triangle2 seen;
-    std::uint32_t corners[3] = {0, 1, 2};
-    Point from;
+    Plane2 place;
     int shift;
     int turn = 0;
 
-    // Triangles near the grid's corner, many with corners on its lines.
     Case(std::mt19937& random, int u, int v) {
         shift = std::uniform_int_distribution<int>(0, 14)(random);
         const std::int32_t side = std::int32_t{1} << shift;
-        const auto coordinate = [&](std::int32_t cells) {
-            const std::int32_t line = std::uniform_int_distribution<std::int32_t>(0, cells)(random) * side;
+        const auto coordinate = [&](std::int32_t least, std::int32_t most) {
+            const std::int32_t line = std::uniform_int_distribution<std::int32_t>(least, most)(random) * side;
             return std::uniform_int_distribution<int>(0, 2)(random) == 0
                        ? line
                        : line + std::uniform_int_distribution<std::int32_t>(0, side - 1)(random);
         };
-        for (std::int32_t& at : from.at) at = coordinate(20);
-        if (random() % 4 == 0) { // far from it, where functions are clipped
-            shift = 0;
-            for (std::int32_t& at : from.at) at = random() % 2 == 0 ? 0 : (1 << 20) - 16;
-        }
         while (turn == 0) {
+            Point from;
+            for (std::int32_t& at : from.at) at = coordinate(-4, small_octants);
             for (std::size_t k = 0; k < 3; ++k) {
-                for (int axis = 0; axis < 3; ++axis) points[k].at[axis] = coordinate(40);
-                seen[k] = {points[k].at[u], points[k].at[v]};
+                Point corner;
+                for (std::int32_t& at : corner.at) at = coordinate(0, small_octants - 1);
+                for (int axis = 0; axis < 3; ++axis) {
+                    from_place.corners[k][axis] = corner.at[axis] - from.at[axis];
+                }
+                seen[k] = {corner.at[u], corner.at[v]};
             }
+            place = {from.at[u], from.at[v]};
             const std::int64_t area = turn_of(seen[0], seen[1], seen[2]);
             turn = area > 0 ? 1 : area < 0 ? -1 : 0;
         }
@@ -90,9 +95,8 @@ void compare(EdgeFunctions::Of what, const Expected& expected) {
         const int u = u_of[axis];
         const int v = v_of[axis];
         const Case triangle(random, u, v);
-        const Solid solid = {triangle.points, 3, triangle.corners, 3, nullptr, nullptr, 1};
         const int places = 1 + trial % 32;
-        EdgeFunctions edges(solid, triangle.corners, u, v, triangle.turn, triangle.from, triangle.shift, what,
+        EdgeFunctions edges(triangle.from_place, u, v, triangle.turn, triangle.shift, what,
                             static_cast<std::uint32_t>(places));
         for (int j = 0; j < 18; ++j) {
             if (j % 4 == 0) edges.see_four();
@@ -101,8 +105,8 @@ void compare(EdgeFunctions::Of what, const Expected& expected) {
             looked_at += places;
             for (int i = 0; i < places; ++i) {
                 const bool has = (row >> i & 1U) != 0;
-                const Plane2 place = {triangle.from.at[u] + (std::int64_t{i} << triangle.shift),
-                                      triangle.from.at[v] + (std::int64_t{j} << triangle.shift)};
+                const Plane2 place = {triangle.place[0] + (std::int64_t{i} << triangle.shift),
+                                      triangle.place[1] + (std::int64_t{j} << triangle.shift)};
                 ASSERT_EQ(has, expected(triangle, place)) << trial << ": " << i << ", " << j;
                 had += has ? 1 : 0;
             }

@@ -76,51 +76,6 @@ TEST(Stair, OfEdgesHasTheQuotientsBothWays) {
     }
 }
 
-// At each step of a stair across rows another one begins.
-template <class Stair>
-void expect_floors_across(const Rows<std::int64_t>& rows, std::int64_t by_v, int most) {
-    OverPlane<Stair> plane({rows.d, rows.by}, rows.n, rows.by, by_v, most, 0);
-    Stair across = plane.across(1, 2);
-    for (int v = 2; v < 16; ++v, across.next()) {
-        Stair along(plane.along_u(), across);
-        for (int u = 1; u < 16; ++u, along.next()) {
-            ASSERT_EQ(along.floor(), clipped_floor(rows.n + u * rows.by + v * by_v, rows.d, most));
-        }
-    }
-}
-
-template <class Band>
-void expect_bits_across(const Rows<std::int64_t>& rows, std::int64_t by_v, std::int64_t width) {
-    OverPlane<Band> plane({rows.d, rows.by, width}, rows.n, rows.by, by_v, 32, 0);
-    Band across = plane.across(0, 0);
-    for (int v = 0; v < 16; ++v, across.next()) {
-        Band along(plane.along_u(), across);
-        for (int u = 0; u < 16; ++u, along.next()) {
-            const std::int64_t first = floor_of(rows.n + u * rows.by + v * by_v, rows.d);
-            const std::int64_t last = floor_of(rows.n + u * rows.by + v * by_v + width, rows.d);
-            std::uint32_t expected = 0;
-            for (int i = 0; i < 32; ++i) {
-                if (i >= first && i <= last) expected |= std::uint32_t{1} << i;
-            }
-            ASSERT_EQ(along.bits({0, 31}), expected);
-        }
-    }
-}
-
-TEST(Stair, OneBeginsAtEachStepOfAnother) {
-    std::mt19937 random(4);
-    for (int trial = 0; trial < trials / 20; ++trial) {
-        const Rows<std::int64_t> rows(random, std::int64_t{1} << 41, 32);
-        const std::int64_t by_v = Rows<std::int64_t>(random, std::int64_t{1} << 41, 1).by;
-        const int most = std::uniform_int_distribution<int>(0, 32)(random);
-        expect_floors_across<DividedStair<std::int64_t>>(rows, by_v, most);
-        expect_floors_across<WalkedStair<std::int64_t>>(rows, by_v, most);
-        const std::int64_t width = rows.d * 3 / 2;
-        expect_bits_across<DividedBand<std::int64_t>>(rows, by_v, width);
-        expect_bits_across<WalkedBand<std::int64_t>>(rows, by_v, width);
-    }
-}
-
 TEST(Stair, FourSideBySideHaveTheQuotientsModulo32Bits) {
     std::mt19937 random(5);
     for (int trial = 0; trial < trials / 20; ++trial) {

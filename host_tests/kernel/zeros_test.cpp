@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "grid/octant_grid.hpp"
 #include "stream/codes.hpp"
 #include "tree/masks.hpp"
 
@@ -16,6 +17,16 @@ TEST(Masks, TheLowestChildIsFoundWithoutCountingZeros) {
         while ((mask >> expected & 1U) == 0) ++expected;
         EXPECT_EQ(plain_lowest(static_cast<std::uint8_t>(mask)), expected);
         EXPECT_EQ(lowest(static_cast<std::uint8_t>(mask)), expected);
+    }
+}
+
+TEST(OctantGrid, TheLowestMemberIsFoundWithoutCountingZeros) {
+    for (unsigned member = 0; member < 64; ++member) {
+        for (const std::uint64_t above : {0x0ULL, 0x1ULL, 0xf0f0f0f0f0f0f0f0ULL, ~0ULL}) {
+            const std::uint64_t set = std::uint64_t{1} << member | above << member << 1;
+            EXPECT_EQ(plain_lowest_of(set), member);
+            EXPECT_EQ(lowest_of(set), member);
+        }
     }
 }
 

@@ -131,10 +131,8 @@ void FaceInGrid::pass_all(RowWindings& windings, std::uint32_t* scratch) {
 inline void FaceInGrid::pass_small(const IndexRange& along_y, const IndexRange& along_z, Passages& passages,
                                    std::uint32_t* scratch) {
     const int turn = plane().normal(axis_x).sign();
-    Point from = grid_.at(0, along_y.first, along_z.first);
-    for (std::int32_t& coordinate : from.at) coordinate += grid_.offset;
-    EdgeFunctions edges(solid_, corners_, axis_y, axis_z, turn, from, grid_.shift, EdgeFunctions::Of::points,
-                        along_y.count());
+    EdgeFunctions edges(small_triangle(grid_.point(0, along_y.first, along_z.first)), axis_y, axis_z, turn,
+                        grid_.shift, EdgeFunctions::Of::points, along_y.count());
     passages.add_small(edges, along_y, along_z, turn, scratch);
 }
 
@@ -146,8 +144,7 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     if (across == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
     const bool has_31_bits = -across <= INT32_MAX && across <= INT32_MAX; // as FourStairs ask for
-    if (guesses_cost_much && axis == axis_x && end_ - corners_ == 3 && has_31_bits &&
-        along_u.count() * along_v.count() <= most_small_rays) {
+    if (axis == axis_x && is_small() && has_31_bits) {
         return pass_small(along_u, along_v, passages, scratch);
     }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)

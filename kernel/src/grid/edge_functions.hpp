@@ -5,32 +5,35 @@
 #include <cstdint>
 
 #include "grid/four.hpp"
-#include "grid/seen_edge.hpp"
-#include "osem/solid.hpp"
-#include "tree/guesses.hpp"
 
 namespace osem {
 
-/// Where wrong guesses at branches cost much, triangles whose bounding box has few places in a grid are dealt
-/// with apart: each of these is looked at, so that no ends of edges are to be found, which nobody foresees.
-constexpr std::uint32_t most_small_rays = 160;   ///< in the box
-constexpr std::uint32_t most_small_octants = 16; ///< along each of its sides
+/// Where wrong guesses at branches cost much, triangles that are less than so many octants long along each
+/// axis are dealt with apart: each place of a grid in their bounding box is looked at, so that no ends of
+/// edges are to be found, which nobody foresees.
+constexpr std::int32_t small_octants = 16;
 
-/// What a triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares: those
-/// where the function of no edge is below 0. A function is linear, so it goes from place to place by one
-/// addition; it is divided by the octants' side, rounded down, which leaves its sign. Four rows go side by
-/// side.
+/// The corners of such a triangle: how far they are from a place in or beside the box.
+struct SmallTriangle {
+    std::int32_t corners[3][3];
+};
+
+/// What a small triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares:
+/// those where the function of no edge is below 0. A function is linear, so it goes from place to place by
+/// one addition; it is divided by the octants' side, rounded down, which leaves its sign. Four rows go side
+/// by side.
 class EdgeFunctions {
   public:
     enum class Of { points, squares };
 
-    /// Rows of 1 to 32 places along u, from a place on, a point or a square's lower corner. Turn: 1 if the
-    /// corners are seen to turn to the left, -1 to the right; they must turn.
-    EdgeFunctions(const Solid& solid, const std::uint32_t* corners, int u, int v, int turn, const Point& from,
-                  int shift, Of of, std::uint32_t places)
-        : edges_{Edge(solid, corners[2], corners[0], u, v, turn, from, shift, of),
-                 Edge(solid, corners[0], corners[1], u, v, turn, from, shift, of),
-                 Edge(solid, corners[1], corners[2], u, v, turn, from, shift, of)},
+    /// Rows of 1 to 32 places along u from the one on that the triangle's corners are told from, which is a
+    /// point or a square's lower corner. Turn: 1 if the corners are seen to turn to the left, -1 to the
+    /// right; they must turn.
+    EdgeFunctions(const SmallTriangle& triangle, int u, int v, int turn, int shift, Of of,
+                  std::uint32_t places)
+        : edges_{Edge(triangle.corners[2], triangle.corners[0], u, v, turn, shift, of),
+                 Edge(triangle.corners[0], triangle.corners[1], u, v, turn, shift, of),
+                 Edge(triangle.corners[1], triangle.corners[2], u, v, turn, shift, of)},
           places_(places) {}
 
     /// Goes on to the next four rows, the first time to the first ones.
@@ -55,24 +58,22 @@ class EdgeFunctions {
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
     struct Edge {
-        Four value; ///< two's complement; below 2^28, with all steps
+        Four value; ///< two's complement; below 2^30, with all steps, as the side is 2^18 at most
         std::uint32_t by_u;
         std::uint32_t by_four_rows;
 
-        Edge(const Solid& solid, std::uint32_t first, std::uint32_t second, int u, int v, int turn,
-             const Point& from, int shift, Of of) {
-            const Point& a = solid.vertices[first];
-            const Point& b = solid.vertices[second];
-            const std::int32_t step_v = turn * (b.at[u] - a.at[u]);
-            const std::int32_t step_u = -turn * (b.at[v] - a.at[v]);
-            const std::int64_t to_u = from.at[u] - a.at[u];
-            const std::int64_t to_v = from.at[v] - a.at[v];
-            const std::int64_t inside = to_u * step_u + to_v * step_v; // below 2^42
-            std::int32_t at = 0;
+        Edge(const std::int32_t (&a)[3], const std::int32_t (&b)[3], int u, int v, int turn, int shift,
+             Of of) {
+            const std::int32_t step_v = turn * (b[u] - a[u]);
+            const std::int32_t step_u = -turn * (b[v] - a[v]);
+            const std::int64_t to_u = -a[u];
+            const std::int64_t to_v = -a[v];
+            const std::int64_t inside = to_u * step_u + to_v * step_v;
+            std::int64_t at = 0;
             if (of == Of::points) {
-                at = scaled(inside - (step_u < 0 || (step_u == 0 && step_v < 0) ? 1 : 0), shift);
+                at = (inside - (step_u < 0 || (step_u == 0 && step_v < 0) ? 1 : 0)) >> shift;
             } else {
-                at = scaled(inside - 1, shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
+                at = ((inside - 1) >> shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
             }
             const auto by_v = static_cast<std::uint32_t>(step_v);
             by_u = static_cast<std::uint32_t>(step_u);

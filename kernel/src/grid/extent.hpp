@@ -28,6 +28,7 @@ struct Extent {
         : Extent(solid, solid.corners + solid.first_corner(solid.first_ring(face)),
                  solid.corners + solid.first_corner(solid.end_ring(face))) {}
 
+    std::int32_t length(int axis) const { return high.at[axis] - low.at[axis]; }
     /// Whether it reaches into the open interval between two coordinates.
     bool overlaps(int axis, std::int32_t from, std::int32_t to) const {
         return low.at[axis] < to && high.at[axis] > from;

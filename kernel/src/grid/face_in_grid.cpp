@@ -1,6 +1,7 @@
 #include "grid/face_in_grid.hpp"
 
 #include "grid/edge_functions.hpp"
+#include "grid/plane_function.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
@@ -138,8 +139,6 @@ class PassedOctants {
 
     /// First and last of the rows from (j, k) on.
     PlaneBand at(int j, int k) { return rows_.at(j, k); }
-    PlaneBand across(int j, int k) const { return rows_.across(j, k); }
-    const PlaneBand::Slope& along_u() const { return rows_.along_u(); }
 
   private:
     PassedOctants(const Plane& plane, const OctantGrid& grid, int guess, int turn)
@@ -173,59 +172,62 @@ class PassedOctants {
     return band.floor() < 0 && band.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
-inline bool FaceInGrid::is_small(const Ranges& range) {
-    if (end_ - corners_ != 3) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (range[axis].count() > most_small_octants) return false;
-        if (plane().normal(axis).value() == 0) return false; // it is seen as a line
-    }
-    return true;
-}
-
 // A word for each row of the box as seen along an axis, and for some more up to a multiple of four: which
 // squares of it the triangle is seen to meet.
-inline void FaceInGrid::see_small(int u, int v, const Plane& plane, const Ranges& range,
-                                  std::uint32_t* rows) const {
-    const int axis = axis_x + axis_y + axis_z - u - v;
-    const Point from = grid_.at(range[0].first, range[1].first, range[2].first);
-    EdgeFunctions edges(solid_, corners_, u, v, turn_of(plane, axis), from, grid_.shift,
-                        EdgeFunctions::Of::squares, range[u].count());
-    for (std::uint32_t row = 0; row < range[v].count(); row += 4) {
+inline void FaceInGrid::see_small(const SmallTriangle& triangle, int u, int v, const IndexRange (&box)[3],
+                                  std::uint32_t* rows) {
+    const int turn = turn_of(plane(), axis_x + axis_y + axis_z - u - v);
+    EdgeFunctions edges(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares, box[u].count());
+    for (std::uint32_t row = 0; row < box[v].count(); row += 4) {
         edges.see_four();
-        for (unsigned k = 0; k < 4; ++k) rows[row + k] = edges.seen()[k] << range[u].first;
+        store(rows + row, edges.seen() << box[u].first);
     }
 }
 
-// By the same separating axes, each row and slab of the box from its first one on.
-inline void FaceInGrid::mark_small(const Plane& plane, const Ranges& range, std::uint32_t* rows,
-                                   std::uint32_t* scratch) const {
-    static_assert(last_grid_space(4) >= 3 * most_small_octants && most_small_octants % 4 == 0,
-                  "room for what is seen");
+// By the same separating axes, each row and slab of the box from its first one on. Of rows along x four go
+// side by side: so the box begins where there are as many to the grid's end. False, and nothing marked, if
+// the triangle is seen as a line, or its plane's numbers are too large.
+inline bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (plane().normal(axis).value() == 0) return false;
+    }
+    const IndexRange box[3] = {range[0], {first_of_four(range[1].first), range[1].last}, range[2]};
+    const Point from = grid_.at(box[0].first, box[1].first, box[2].first);
+    const PlaneFunction plane_in_box(plane(), from, grid_.shift, box[0].count());
+    if (!plane_in_box.fits((extent_.length(axis_x) >> grid_.shift) + 2)) return false;
     std::uint32_t* const x_by_y = scratch;
-    std::uint32_t* const x_by_z = x_by_y + range[1].count();
-    std::uint32_t* const y_by_z = x_by_z + range[2].count();
-    see_small(axis_x, axis_y, plane, range,
-              x_by_y); // in this order, as each writes some words behind its rows
-    see_small(axis_x, axis_z, plane, range, x_by_z);
-    see_small(axis_y, axis_z, plane, range, y_by_z);
-    PassedOctants passed(plane, grid_, range[0].first);
-    PlaneBand layer = passed.across(range[1].first, range[2].first);
-    for (std::uint32_t k = 0; k < range[2].count(); ++k, layer.next()) {
-        std::uint32_t* row = rows + grid_.row(range[1].first, range[2].first + static_cast<int>(k));
-        const std::uint32_t* x = x_by_y;
-        PlaneBand band(passed.along_u(), layer);
-        for (std::uint32_t y = y_by_z[k] >> range[1].first; y != 0; y >>= 1, band.next()) {
-            const std::uint32_t all_or_none = (y & 1U) == 0 ? 0 : ~std::uint32_t{0};
-            *row++ |= all_or_none & *x++ & x_by_z[k] & band.bits(range[0]);
+    std::uint32_t* const x_by_z = x_by_y + box[1].count();
+    std::uint32_t* const y_by_z = x_by_z + box[2].count();
+    const SmallTriangle triangle = small_triangle(from);
+    see_small(triangle, axis_x, axis_y, box, x_by_y); // in this order, as each writes behind its rows
+    see_small(triangle, axis_x, axis_z, box, x_by_z);
+    see_small(triangle, axis_y, axis_z, box, y_by_z);
+    const std::uint32_t all_y = range[1].bits();
+    for (std::uint32_t k = 0; k < box[2].count(); ++k) {
+        for (std::uint32_t left = y_by_z[k] & all_y; left != 0;) {
+            const int first = first_of_four(static_cast<int>(lowest_of(left)));
+            const auto row = static_cast<std::uint32_t>(first - box[1].first);
+            std::uint32_t* const to = rows + grid_.row(first, box[2].first + static_cast<int>(k));
+            Four passed = {};
+            plane_in_box.see_four(row, k, passed);
+            Four in_y = {};
+            set_where_has(in_y, left >> first);
+            Four in_x = {};
+            load(in_x, x_by_y + row);
+            Four marked = {};
+            load(marked, to);
+            store(to, marked | (passed << box[0].first & x_by_z[k] & in_y & in_x));
+            left &= ~(std::uint32_t{15} << first);
         }
     }
+    return true;
 }
 
 void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
-    if (guesses_cost_much && is_small(range)) return mark_small(plane(), range, rows, scratch);
+    if (is_small() && mark_small(range, rows, scratch)) return;
     if (is_convex()) {
         mark_convex(plane(), range, rows, scratch);
     } else {

@@ -16,6 +16,23 @@ inline void set_where_negative(Four& result, const Four& numbers) {
     result = reinterpret_cast<Four>(reinterpret_cast<FourSigned>(numbers) < 0);
 }
 
+/// The same for each number that is below another one, both in two's complement.
+inline void set_where_below(Four& result, const Four& numbers, const Four& others) {
+    result =
+        reinterpret_cast<Four>(reinterpret_cast<FourSigned>(numbers) < reinterpret_cast<FourSigned>(others));
+}
+
+/// The same for each of the lowest four bits that is set.
+inline void set_where_has(Four& result, std::uint32_t bits) {
+    result = reinterpret_cast<Four>(((Four{} + bits) & Four{1, 2, 4, 8}) != 0);
+}
+
+/// Four numbers that stand in a row, wherever that begins.
+inline void load(Four& numbers, const std::uint32_t* from) {
+    __builtin_memcpy(&numbers, from, sizeof numbers);
+}
+inline void store(std::uint32_t* to, const Four& numbers) { __builtin_memcpy(to, &numbers, sizeof numbers); }
+
 } // namespace osem
 
 #endif

@@ -288,7 +288,10 @@ void GridConversion::visit_last(const Entry& entry) {
     };
     for (std::uint32_t i = 0; i < entry.faces; ++i) meet(scratch_[entry.first + i]);
     const PlacedFaces placed = {scratch_ + room_};
-    for (std::uint32_t i = entry.placed; i != entry.placed_end; ++i) meet(placed.face(i));
+    for (std::uint32_t i = entry.placed; i != entry.placed_end; ++i) {
+        if (guesses_cost_much) placed.fetch_behind(i, entry.placed_end, solid_);
+        meet(placed.face(i));
+    }
     if (windings.overflowed()) return overflow();
     windings.finish(entry.winding);
     reserve(behind, windings.words_used());

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "osem/lattice.hpp"
+#include "tree/zeros.hpp"
 
 namespace osem {
 
@@ -54,8 +55,12 @@ struct OctantGrid {
     constexpr Point at(int i, int j, int k) const {
         return Point{{corner.x() + (i << shift), corner.y() + (j << shift), corner.z() + (k << shift)}};
     }
-    /// The reference point of the first octant, before it is moved by (e, e^2, e^3).
-    constexpr Point reference() const {
+    /// Its reference point, before that is moved by (e, e^2, e^3).
+    constexpr Point point(int i, int j, int k) const {
+        const Point low = at(i, j, k);
+        return Point{{low.x() + offset, low.y() + offset, low.z() + offset}};
+    }
+    constexpr Point reference() const { ///< of the first octant
         return Point{{corner.x() + offset, corner.y() + offset, corner.z() + offset}};
     }
     /// The octants along an axis whose open intervals are between two coordinates, or partly so.
@@ -91,8 +96,8 @@ inline std::uint64_t as_mask(const std::uint32_t* row, int levels) {
     return set;
 }
 
-/// The lowest member of a set that is not empty.
-constexpr unsigned lowest_of(std::uint64_t set) {
+/// The lowest member of a set that is not empty, for parts that do not count zeros themselves.
+constexpr unsigned plain_lowest_of(std::uint64_t set) {
     unsigned place = 0;
     if ((set & 0xffffffffU) == 0) place += 32, set >>= 32;
     if ((set & 0xffffU) == 0) place += 16, set >>= 16;
@@ -100,6 +105,17 @@ constexpr unsigned lowest_of(std::uint64_t set) {
     if ((set & 0xfU) == 0) place += 4, set >>= 4;
     if ((set & 0x3U) == 0) place += 2, set >>= 2;
     return place + ((set & 1U) == 0 ? 1 : 0);
+}
+
+/// The lowest member of a set that is not empty.
+constexpr unsigned lowest_of(std::uint64_t set) {
+#if OSEM_COUNTS_ZEROS
+    const auto low = static_cast<std::uint32_t>(set); // a word at a time, as no part calls a function for one
+    return static_cast<unsigned>(low != 0 ? __builtin_ctz(low)
+                                          : 32 + __builtin_ctz(static_cast<std::uint32_t>(set >> 32)));
+#else
+    return plain_lowest_of(set);
+#endif
 }
 
 /// Exchanges two bits of the numbers of a set's members: those with the low one alone, which are named, move

@@ -47,16 +47,11 @@ class DividedStair {
             step.value += 1;
             step.rest -= d;
         }
-        /// Of the same divisor.
-        Slope(const Slope& other, Value change) : Slope(other.d, change) {}
     };
 
     /// The guess is for those that walk.
     DividedStair(const Slope& slope, Value n, int most, int /*guess*/)
         : slope_(slope), now_(slope.d, n), most_(most) {}
-    /// One with another slope from where this one is. Precondition: its divisor is the same.
-    DividedStair(const Slope& slope, const DividedStair& from)
-        : slope_(slope), now_(from.now_), most_(from.most_) {}
 
     int floor() const {
         const Value not_above = now_.value < most_ ? now_.value : most_;
@@ -95,7 +90,7 @@ class FourStairs {
 
   public:
     FourStairs(std::int64_t d, std::int64_t n, std::int64_t by_u, std::int64_t by_v)
-        : along_u_(d, by_u), first_(Stair::Slope(along_u_, by_v), n, 0, 0) {}
+        : along_u_(d, by_u), first_({d, by_v}, n, 0, 0) {}
 
     void begin_four() {
         for (unsigned k = 0; k < 4; ++k, first_.next()) {
@@ -127,7 +122,6 @@ class WalkedStair {
         Value d;
         Value by;
         Slope(Value divisor, Value change) : d(divisor), by(change) {}
-        Slope(const Slope& other, Value change) : Slope(other.d, change) {}
     };
 
     WalkedStair(const Slope& slope, Value n, int most, int guess)
@@ -135,8 +129,6 @@ class WalkedStair {
         fall();
         rise();
     }
-    WalkedStair(const Slope& slope, const WalkedStair& from)
-        : slope_(slope), value_(from.value_), rest_(from.rest_), most_(from.most_) {}
 
     int floor() const { return value_; }
     bool is_within() const { return value_ >= 0 && value_ < most_; }
@@ -170,13 +162,10 @@ class DividedBand {
         typename Stair::Slope slope;
         typename Stair::Quotient width;
         Slope(Value d, Value by, Value between) : slope(d, by), width(d, between) {}
-        Slope(const Slope& other, Value by) : slope(other.slope, by), width(other.width) {}
     };
 
     DividedBand(const Slope& slope, Value n, int most, int guess)
         : stair_(slope.slope, n, most, guess), width_(slope.width) {}
-    DividedBand(const Slope& slope, const DividedBand& from)
-        : stair_(slope.slope, from.stair_), width_(from.width_) {}
 
     int floor() const { return stair_.floor(); }
     void next() { stair_.next(); }
@@ -206,13 +195,10 @@ class WalkedBand {
         typename Stair::Slope slope;
         Value width;
         Slope(Value d, Value by, Value between) : slope(d, by), width(between) {}
-        Slope(const Slope& other, Value by) : slope(other.slope, by), width(other.width) {}
     };
 
     WalkedBand(const Slope& slope, Value n, int most, int guess)
         : lower_(slope.slope, n, most, guess), upper_(slope.slope, n + slope.width, most, lower_.floor()) {}
-    WalkedBand(const Slope& slope, const WalkedBand& from)
-        : lower_(slope.slope, from.lower_), upper_(slope.slope, from.upper_) {}
 
     int floor() const { return lower_.floor(); }
     void next() {
@@ -255,13 +241,8 @@ class OverPlane {
         guess_ = stair.floor();
         return stair;
     }
-    /// One along v that begins there. From each of its steps one along u may begin: Stair(along_u(), step).
-    Stair across(int u, int v) const {
-        return Stair(typename Stair::Slope(along_u_, by_v_), dividend(u, v), most_, guess_);
-    }
     /// Four along u that begin there, in rows side by side along v; then the next four.
     FourStairs four(int u, int v) const { return {along_u_.d, dividend(u, v), by_u_, by_v_}; }
-    const typename Stair::Slope& along_u() const { return along_u_; }
 
   private:
     std::int64_t dividend(int u, int v) const { return n_ + u * by_u_ + v * by_v_; }

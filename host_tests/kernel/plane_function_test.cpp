@@ -1,0 +1,129 @@
+// Octants through which a small triangle's plane passes, against the plane's values at their corners.
+#include "grid/plane_function.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+
+#include "classify/box.hpp"
+#include "grid/edge_functions.hpp"
+#include "grid/extent.hpp"
+
+namespace osem::tests {
+
+namespace {
+
+osem::Box cube(const Point& from, int i, int j, int k, int shift) {
+    osem::Box box = {from, {}};
+    box.lo.at[axis_x] += i << shift;
+    box.lo.at[axis_y] += j << shift;
+    box.lo.at[axis_z] += k << shift;
+    for (int axis = 0; axis < 3; ++axis) box.hi.at[axis] = box.lo.at[axis] + (1 << shift);
+    return box;
+}
+
+bool passes(const Plane& plane, const osem::Box& box) {
+    bool above = false;
+    bool below = false;
+    for (int corner = 0; corner < 8; ++corner) {
+        Point point = box.lo;
+        for (int axis = 0; axis < 3; ++axis) {
+            if ((corner >> axis & 1) != 0) point.at[axis] = box.hi.at[axis];
+        }
+        const int sign = plane.at(point).sign();
+        above = above || sign > 0;
+        below = below || sign < 0;
+    }
+    return above && below;
+}
+
+// A triangle less than 16 octants long in the middle of the root, many of its corners on octants' borders;
+// and the octants that its bounding box overlaps.
+struct Case {
+    Point points[3];
+    std::uint32_t corners[3] = {0, 1, 2};
+    int shift;
+    Point from;
+    int octants[3];
+
+    explicit Case(std::mt19937& random) {
+        shift = std::uniform_int_distribution<int>(0, 13)(random);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int most = std::uniform_int_distribution<int>(1, small_octants - 1)(random);
+            for (Point& point : points) {
+                std::int32_t& at = point.at[axis];
+                at = std::uniform_int_distribution<std::int32_t>(0, most << shift)(random);
+                if (random() % 3 == 0) at = at >> shift << shift;
+                at += root_side / 2 + (1 << shift) / 3;
+            }
+        }
+        const Extent extent(solid(), 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            from.at[axis] = extent.low.at[axis] >> shift << shift;
+            octants[axis] = ((extent.high.at[axis] - 1 - from.at[axis]) >> shift) + 1;
+        }
+    }
+    Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
+    bool is_line() const {
+        const Plane plane(solid(), 0);
+        return plane.normal(0).value() == 0 || plane.normal(1).value() == 0 || plane.normal(2).value() == 0;
+    }
+    // Whether the triangle is somewhere in a row along x.
+    bool has_row(int j, int k) const {
+        for (int i = 0; i < octants[0]; ++i) {
+            if (classify_box(solid(), 0, cube(from, i, j, k, shift)).meets) return true;
+        }
+        return false;
+    }
+};
+
+TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
+    std::mt19937 random(6);
+    int fitting = 0;
+    int others = 0;
+    int passed_by = 0;
+    int looked_at = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Case triangle(random);
+        if (triangle.is_line()) continue;
+        const Plane plane(triangle.solid(), 0);
+        const auto count = static_cast<std::uint32_t>(triangle.octants[0]);
+        const PlaneFunction function(plane, triangle.from, triangle.shift, count);
+        const std::int32_t length = Extent(triangle.solid(), 0).length(axis_x);
+        ++(function.fits((length >> triangle.shift) + 2) ? fitting : others);
+        if (!function.fits((length >> triangle.shift) + 2)) continue;
+        for (int k = 0; k < triangle.octants[2]; ++k) {
+            for (int j = 0; j < triangle.octants[1]; ++j) {
+                if (!triangle.has_row(j, k)) continue;
+                Four passed = {};
+                const int first = j - j % 4 + trial % 2; // rows may begin anywhere
+                if (first > j) continue;
+                function.see_four(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(k), passed);
+                for (int i = 0; i < triangle.octants[0]; ++i) {
+                    const bool is_passed = passes(plane, cube(triangle.from, i, j, k, triangle.shift));
+                    ASSERT_EQ(passed[j - first] >> i & 1U, is_passed ? 1U : 0U)
+                        << i << ", " << j << ", " << k;
+                    passed_by += is_passed ? 1 : 0;
+                    ++looked_at;
+                }
+            }
+        }
+    }
+    EXPECT_GT(fitting, 5000);
+    EXPECT_GT(others, 500);
+    EXPECT_GT(passed_by, looked_at / 10);
+    EXPECT_LT(passed_by, looked_at * 9 / 10);
+}
+
+// A triangle as large as there are: its plane's numbers have more than 32 bits.
+TEST(PlaneFunction, DoesNotFitTheLargestNumbers) {
+    const Point points[3] = {{{0, 0, 1}}, {{15 << 15, 3, 2}}, {{5, 15 << 15, 7}}};
+    const std::uint32_t corners[3] = {0, 1, 2};
+    const Solid solid = {points, 3, corners, 3, nullptr, nullptr, 1};
+    EXPECT_FALSE(PlaneFunction(Plane(solid, 0), {{0, 0, 0}}, 15, 15).fits(17));
+}
+
+} // namespace
+
+} // namespace osem::tests
