@@ -72,8 +72,9 @@ class FaceInGrid::Passages {
         for (int k = z.first; k <= z.last; k += 4) {
             edges.see_four();
             last.begin_four();
-            Four seen = edges.seen();
-            for (int beyond = z.last + 1 - k; beyond < 4; ++beyond) seen[beyond] = 0;
+            Four in_box = {};
+            set_where_has(in_box, bits_between(0, static_cast<unsigned>(z.last - k < 3 ? z.last - k : 3)));
+            Four seen = edges.seen() & in_box;
             Four row = RowWindings::place(grid_.row(y.first, k), 0) + layers;
             for (std::uint32_t left = y.count(); left != 0; --left, last.next(), seen >>= 1) {
                 Four outside = {};

@@ -93,10 +93,14 @@ class FourStairs {
         : along_u_(d, by_u), first_({d, by_v}, n, 0, 0) {}
 
     void begin_four() {
+        std::uint32_t values[4];
+        std::uint32_t rests[4];
         for (unsigned k = 0; k < 4; ++k, first_.next()) {
-            values_[k] = static_cast<std::uint32_t>(first_.value());
-            rests_[k] = static_cast<std::uint32_t>(first_.rest());
+            values[k] = static_cast<std::uint32_t>(first_.value());
+            rests[k] = static_cast<std::uint32_t>(first_.rest());
         }
+        values_ = Four{values[0], values[1], values[2], values[3]};
+        rests_ = Four{rests[0], rests[1], rests[2], rests[3]};
     }
     void next() {
         Four below = {};
