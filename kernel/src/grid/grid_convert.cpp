@@ -1,6 +1,7 @@
 #include "osem/grid_convert.hpp"
 
 #include "classify/crossing.hpp"
+#include "grid/each_face.hpp"
 #include "grid/face_in_grid.hpp"
 #include "grid/leaves.hpp"
 #include "grid/placed_faces.hpp"
@@ -286,12 +287,12 @@ void GridConversion::visit_last(const Entry& entry) {
         if (met != nullptr) face.mark(met, scratch_ + list_end, windings.spare_words());
         face.add_crossings(windings, scratch_ + list_end);
     };
-    for (std::uint32_t i = 0; i < entry.faces; ++i) meet(scratch_[entry.first + i]);
+    const std::uint32_t* const list = scratch_ + entry.first;
+    each_face(
+        solid_, 0, entry.faces, [list](std::uint32_t i) { return list[i]; }, meet);
     const PlacedFaces placed = {scratch_ + room_};
-    for (std::uint32_t i = entry.placed; i != entry.placed_end; ++i) {
-        if (guesses_cost_much) placed.fetch_behind(i, entry.placed_end, solid_);
-        meet(placed.face(i));
-    }
+    each_face(
+        solid_, entry.placed, entry.placed_end, [placed](std::uint32_t i) { return placed.face(i); }, meet);
     if (windings.overflowed()) return overflow();
     windings.finish(entry.winding);
     reserve(behind, windings.words_used());

@@ -63,21 +63,7 @@ struct PlacedFaces {
         return front;
     }
 
-    /// Has memory send for what is read of the next two faces before `end`: a mesh has them far apart, so
-    /// that a part with caches would wait. To be asked of one face after the other. In line, as a compiler
-    /// drops a call that only does this.
-    [[gnu::always_inline]] void fetch_behind(std::uint32_t i, std::uint32_t end, const Solid& solid) const {
-        if (i + 2 < end) __builtin_prefetch(corners_of(i + 2, solid));
-        if (i + 1 < end) {
-            const std::uint32_t* const corners = corners_of(i + 1, solid);
-            for (unsigned k = 0; k < 3; ++k) __builtin_prefetch(solid.vertices + corners[k]);
-        }
-    }
-
   private:
-    const std::uint32_t* corners_of(std::uint32_t i, const Solid& solid) const {
-        return solid.corners + solid.first_corner(solid.first_ring(face(i)));
-    }
     std::uint32_t* at(std::uint32_t i) const { return &memory[std::size_t{words} * i]; }
 };
 
