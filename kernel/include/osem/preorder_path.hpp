@@ -45,6 +45,12 @@ class PreorderPath {
     Status take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
                         std::uint32_t& to_come);
     Status ascend();
+    int level_above() const;
+    bool may_open() const { return level_ < depth_ && nodes_left_ != 0; }
+    bool may_end() const { return !alike_ && (nodes_left_ == 0 || level_above() != 0); }
+    void enter(std::uint32_t children);
+    void look_ahead(std::uint32_t children);
+    void close();
     Octant taken(int level) const;
     std::uint64_t volume_before(int level) const;
 

@@ -55,7 +55,7 @@ class StreamCombination {
   private:
     enum class Phase : std::uint8_t { idle, counting, writing, done };
     enum class Held : std::uint8_t { none, a, b };
-    enum class Way : std::uint8_t { each, skipped, copied, inverted };
+    enum class Way : std::uint8_t { each, beside, skipped, copied, inverted };
 
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
@@ -63,15 +63,21 @@ class StreamCombination {
     void end_pass();
     bool in_one_pass() const { return sink_.replace != nullptr; }
     bool is_unchanged();
+    bool in_progress() const { return phase_ == Phase::counting || phase_ == Phase::writing; }
+    const StreamCursor& walker() const { return held_ == Held::a ? b_ : a_; }
     std::uint64_t decided_cells() const;
-    void visit();
-    void begin_below(std::uint32_t colours);
+    std::uint64_t cells_before_fault() const;
+    inline bool visit(bool may);
+    bool visit_beside(bool may);
+    void hold(std::uint32_t leaf);
+    std::uint32_t beside(std::uint32_t codes) const;
+    void begin_below();
     std::uint32_t pass(std::uint32_t most);
-    void advance(bool past_leaves);
-    void release();
-    inline bool check(const StreamCursor& cursor, std::uint8_t operand);
+    void arrive();
+    void advance();
+    void step_back();
+    bool check(const StreamCursor& cursor, unsigned operand);
     void fail(Status status, std::uint8_t operand, std::uint64_t offset);
-    inline std::uint16_t codes_of(const StreamCursor& cursor, bool& known) const;
 
     StreamCursor a_;
     StreamCursor b_;
@@ -85,8 +91,8 @@ class StreamCombination {
     std::uint32_t checksum_b_ = 0;
     Operator op_ = Operator::unite;
     Phase phase_ = Phase::idle;
-    Held held_ = Held::none; ///< the operand that stays at a leaf while the other one walks below it
-    Way way_ = Way::each;    ///< what is done below an octant beside a leaf
+    Held held_ = Held::none; ///< the operand that is at a leaf beside a grey octant, and stays there below it
+    Way way_ = Way::each;    ///< both operands go on, or what is done below an octant beside a leaf
     bool unary_ = false;     ///< there is no b: it is black throughout, and held for good
     std::uint8_t held_level_ = 0;
 };

@@ -57,13 +57,12 @@ class StreamBuilder {
     bool put_canonical(std::uint32_t codes, unsigned count);
     void begin_copy();
     void copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes, bool inverted);
-    void end_copy();
     void restart();
     void flush_pending(int end);
+    void end_child();
     void close_full();
     void put(std::uint32_t codes, unsigned count);
-    void put_part(std::uint32_t codes, unsigned count);
-    void end_word();
+    void end_word(std::uint32_t next);
     void write_buffer();
     void write(const std::uint8_t* bytes, std::size_t count);
 

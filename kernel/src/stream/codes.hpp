@@ -11,17 +11,22 @@
 
 namespace osem {
 
-/// Four bytes as a number, little-endian: written out, so that a compiler sees that it may be one load.
-inline std::uint32_t word_at(const std::uint8_t* bytes) {
+/// Four bytes as a number, little-endian: written out, so that a compiler sees that it may be one load. A
+/// call would take longer.
+[[gnu::always_inline]] inline std::uint32_t word_at(const std::uint8_t* bytes) {
     return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
            std::uint32_t{bytes[3]} << 24;
 }
 
+/// The other way round: one store where there are unaligned ones, which compilers for ARM do not see in four.
 inline void put_word(std::uint8_t* bytes, std::uint32_t word) {
-    bytes[0] = static_cast<std::uint8_t>(word);
-    bytes[1] = static_cast<std::uint8_t>(word >> 8);
-    bytes[2] = static_cast<std::uint8_t>(word >> 16);
-    bytes[3] = static_cast<std::uint8_t>(word >> 24);
+    struct [[gnu::packed, gnu::may_alias]] Unaligned {
+        std::uint32_t word;
+    };
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    word = __builtin_bswap32(word);
+#endif
+    reinterpret_cast<Unaligned*>(bytes)->word = word;
 }
 
 /// As many codes as a register holds.
@@ -41,6 +46,17 @@ constexpr unsigned codes_ahead = 16;
     Codes codes = word_at(bytes);
     if constexpr (codes_size == 8) codes |= static_cast<Codes>(word_at(bytes + 4)) << (codes_size * 4);
     return codes >> (bit % 8);
+}
+
+/// The same with none missing; reads a byte more.
+[[gnu::always_inline]] inline Codes all_codes_at(const std::uint8_t* bytes, unsigned bit) {
+    const Codes last = bytes[bit / 8 + codes_size];
+    return codes_at(bytes, bit) | last << (8 * codes_size - 8) << (8 - bit % 8);
+}
+
+/// Sixteen codes from a bit on.
+[[gnu::always_inline]] inline std::uint32_t sixteen_codes_at(const std::uint8_t* bytes, unsigned bit) {
+    return static_cast<std::uint32_t>(codes_size == 8 ? codes_at(bytes, bit) : all_codes_at(bytes, bit));
 }
 
 /// The lower bit of each code that is grey's.
@@ -88,18 +104,15 @@ class CodeGroups {
   public:
     static constexpr unsigned count = codes_size / 2;
 
-    /// From a code on. Reads a byte more than Codes has.
-    CodeGroups(const std::uint8_t* bytes, unsigned at) {
+    // Each step adds neighbours; the product then adds up all bytes before one, and itself.
+    explicit CodeGroups(Codes codes) {
         constexpr auto twos = static_cast<Codes>(0x3333333333333333U);
         constexpr auto fours = static_cast<Codes>(0x0f0f0f0f0f0f0f0fU);
-        constexpr auto eights = static_cast<Codes>(0x00ff00ff00ff00ffU);
-        const unsigned bit = 2 * at;
-        const Codes last = bytes[bit / 8 + codes_size];
-        Codes found = grey_codes(codes_at(bytes, bit) | last << (8 * codes_size - 8) << (8 - bit % 8));
-        found = (found & twos) + (found >> 2 & twos);
+        constexpr auto bytes = static_cast<Codes>(0x0101010101010101U);
+        Codes found = grey_codes(codes);
+        found = (found + (found >> 2)) & twos;
         found = (found + (found >> 4)) & fours;
-        found = (found + (found >> 8)) & eights;
-        greys_ = found * ones;
+        greys_ = (found * bytes) >> 8 & ones * 0xffU;
     }
 
     /// How many of the first `ready` groups end what so many are to come of, each grey code one more: all, if

@@ -52,6 +52,33 @@ Status PreorderPath::ascend() {
     return Status::ok;
 }
 
+// The level of what is next behind the innermost open octant; 0 behind the root.
+int PreorderPath::level_above() const {
+    int level = level_;
+    do --level;
+    while (level > 0 && left_[level] == 0);
+    return level > 0 ? level : 0;
+}
+
+// Goes into the grey octant that was taken last, and looks ahead.
+void PreorderPath::enter(std::uint32_t children) {
+    left_[++level_] = 8;
+    look_ahead(children);
+}
+
+// The codes of the innermost open octant's children, the first one lowest, of which none has been taken:
+// whether they are leaves of one colour is known before their codes go by.
+void PreorderPath::look_ahead(std::uint32_t children) {
+    alike_ = eight_leaves(grey_codes(children)) && eight_alike(children);
+    colour_ = static_cast<Colour>(children & 3U);
+}
+
+// Closes the innermost open octant, and what is complete with it: all of that may be, as it was looked ahead.
+void PreorderPath::close() {
+    level_ = static_cast<std::uint8_t>(level_above());
+    alike_ = false;
+}
+
 // Takes the codes below the octants open at level `floor`, as far as at most `most` of them are grey and they
 // begin before `limit`: a turn takes 16 codes at most. Leaves `at` behind the last one taken. What lies
 // behind the payload is read as well, but nothing depends on it.
@@ -122,17 +149,25 @@ Status PreorderPath::take_buffered(const std::uint8_t* bytes, unsigned& at, unsi
 // first and in the end.
 Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
                                   std::uint32_t& to_come) {
+    // In a turn that takes all groups there are so many bytes more in the buffer than behind each code.
+    constexpr std::ptrdiff_t more = (8 * CodeGroups::count - codes_ahead) / 4;
+    const unsigned in_byte = at % 4; // the place of each group's first code
+    const std::uint8_t* from = bytes + at / 4;
+    const std::uint8_t* const end = bytes + (limit - in_byte + 3) / 4;
+    unsigned ready = CodeGroups::count;
     std::uint32_t nodes = 0;
-    if (to_come == 0) to_come = 1;
-    while (to_come != 0 && nodes < most && at < limit) {
-        const CodeGroups groups(bytes, at);
-        const bool all_ready = limit - at > 8 * CodeGroups::count - codes_ahead;
-        const unsigned taken = groups.to_end(to_come, all_ready ? CodeGroups::count : codes_ahead / 8);
+    std::uint32_t coming = to_come == 0 ? 1 : to_come;
+    do {
+        if (end - from <= more) ready = codes_ahead / 8;
+        const CodeGroups groups(all_codes_at(from, 2 * in_byte));
+        const unsigned taken = groups.to_end(coming, ready);
         const unsigned greys = groups.greys(taken);
-        at += 8 * taken;
+        from += 2 * taken;
         nodes += greys;
-        to_come += greys - taken;
-    }
+        coming += greys - taken;
+    } while (coming != 0 && nodes < most && from < end);
+    at = 4 * static_cast<unsigned>(from - bytes) + in_byte;
+    to_come = coming;
     nodes_left_ -= nodes;
     if (to_come != 0) return Status::ok;
     --level_;

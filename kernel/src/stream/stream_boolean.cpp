@@ -23,7 +23,7 @@ std::uint32_t connected(Operator op, std::uint32_t a, std::uint32_t b) {
     }
 }
 
-constexpr unsigned all_children = 0x5555U; // times a code: that code eight times
+constexpr std::uint32_t all_children = 0x55555555U; // times a code: that code for all children, and more
 
 // One leaf of each colour, and what a complement makes of them.
 constexpr std::uint32_t each_colour = 0b110100;
@@ -32,12 +32,9 @@ constexpr std::uint32_t three_codes = 0b111111;
 
 } // namespace
 
-// In line, as codes_of is: an octant where both operands are divided goes through each of them twice, and
-// calls would be a tenth of its instructions.
-[[gnu::always_inline]] inline bool StreamCombination::check(const StreamCursor& cursor,
-                                                            std::uint8_t operand) {
+bool StreamCombination::check(const StreamCursor& cursor, unsigned operand) {
     if (cursor.status() == Status::ok) return true;
-    fail(cursor.status(), operand, cursor.offset());
+    fail(cursor.status(), static_cast<std::uint8_t>(operand), cursor.offset());
     return false;
 }
 
@@ -60,13 +57,15 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
     phase_ = Phase::counting;
     builder_.begin();
     if (begin_pass() && in_one_pass()) begin_writing();
+    if (in_progress()) step_back();
     return phase_ == Phase::done ? outcome_.status : Status::ok;
 }
 
 bool StreamCombination::begin_pass() {
     held_ = unary_ ? Held::b : Held::none;
     held_level_ = 0;
-    way_ = Way::each;
+    way_ = unary_ ? Way::beside : Way::each;
+    b_.colour_ = Colour::black;
     a_.begin(source_a_);
     if (!check(a_, 0)) return false;
     if (unary_) return true;
@@ -75,62 +74,96 @@ bool StreamCombination::begin_pass() {
 }
 
 void StreamCombination::fail(Status status, std::uint8_t operand, std::uint64_t offset) {
-    decided_ = decided_cells();
+    decided_ = cells_before_fault();
     outcome_.status = status;
     outcome_.operand = operand;
     outcome_.offset = offset;
     phase_ = Phase::done;
 }
 
+// The cells before the octant that was arrived at last, or behind what has gone by of one.
+std::uint64_t StreamCombination::cells_before_fault() const {
+    if (!in_progress()) return decided_;
+    const StreamCursor& cursor = walker();
+    if (cursor.done() && cursor.path_.whole()) return decided_ + root_volume; // what is behind is wrong
+    const bool one_by_one = way_ == Way::each || way_ == Way::beside;
+    return one_by_one ? decided_ + cursor.path_.volume_before(cursor.level()) : decided_cells();
+}
+
 bool StreamCombination::step(std::uint32_t octants) {
-    while (phase_ == Phase::counting || phase_ == Phase::writing) {
-        if (octants == 0) return true;
-        if (way_ == Way::each) {
-            --octants;
-            visit();
-        } else {
+    while (in_progress()) {
+        if (way_ != Way::each && way_ != Way::beside) {
+            if (octants == 0) return true;
             octants -= pass(octants);
+        } else if (!(way_ == Way::each ? visit(octants != 0) : visit_beside(octants != 0))) {
+            arrive();
+        } else {
+            if (octants == 0) return true;
+            --octants;
+            if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
         }
     }
     return false;
 }
 
-// The codes of the eight children, where they are known to be leaves: those of a leaf are its own.
-[[gnu::always_inline]] inline std::uint16_t StreamCombination::codes_of(const StreamCursor& cursor,
-                                                                        bool& known) const {
-    std::uint16_t codes = 0;
-    if (unary_ && &cursor == &b_) return 0xffffU;
-    if (cursor.colour() != Colour::grey) {
-        return low_bits(all_children * static_cast<unsigned>(cursor.colour()));
-    }
-    known = known && cursor.leaf_children(codes);
-    return codes;
-}
-
-void StreamCombination::visit() {
-    const bool grey_a = a_.colour() == Colour::grey;
-    const bool grey_b = !unary_ && b_.colour() == Colour::grey;
-    bool known = true;
-    const std::uint32_t codes_a = codes_of(a_, known);
-    const std::uint32_t codes_b = codes_of(b_, known);
-    if (known) { // two leaves, or all that is below them
-        builder_.leaves(low_bits(connected(op_, codes_a, codes_b)));
-    } else if (grey_a != grey_b) {
-        begin_below(grey_a ? connected(op_, each_colour, codes_b) : connected(op_, codes_a, each_colour));
-    } else {
+// Visits the octants that are next in both operands, if it may; false where one is hidden. In line: calls
+// would be a tenth of its instructions.
+[[gnu::always_inline]] inline bool StreamCombination::visit(bool may) {
+    const std::uint32_t next_a = a_.look();
+    const std::uint32_t next_b = b_.look();
+    if (((next_a | next_b) & StreamCursor::hidden_bit) != 0) return false;
+    if (!may) return true;
+    const bool grey_a = (next_a & StreamCursor::grey_bit) != 0;
+    const bool grey_b = (next_b & StreamCursor::grey_bit) != 0;
+    held_ = grey_a == grey_b ? Held::none : grey_a ? Held::b : Held::a;
+    const bool known = (next_a & next_b & StreamCursor::known_bit) != 0; // two leaves, or all that is below
+    a_.take(next_a, known);
+    b_.take(next_b, known);
+    if (known) {
+        builder_.leaves(low_bits(connected(op_, next_a, next_b)));
+    } else if (grey_a == grey_b) {
         builder_.open();
+    } else {
+        hold(grey_a ? next_b : next_a);
+        begin_below();
     }
-    if (held_ == Held::none && grey_a != grey_b) {
-        held_ = grey_a ? Held::b : Held::a;
-        held_level_ = static_cast<std::uint8_t>(grey_a ? a_.level() : b_.level());
-    }
-    if (!builder_.taken()) return fail(Status::sink_refused, 0, 0);
-    if (way_ == Way::each) advance(known);
+    return true;
 }
 
-// What is done below a grey octant beside a leaf that makes `colours` of one leaf of each colour.
-void StreamCombination::begin_below(std::uint32_t colours) {
-    colours &= three_codes;
+// The held operand stays at this leaf while the other one walks below it.
+void StreamCombination::hold(std::uint32_t leaf) {
+    StreamCursor& held = held_ == Held::a ? a_ : b_;
+    held.colour_ = static_cast<Colour>(leaf & 3U);
+    held_level_ = held.level_;
+}
+
+// The same below a leaf of the held operand.
+bool StreamCombination::visit_beside(bool may) {
+    StreamCursor& cursor = held_ == Held::a ? b_ : a_;
+    const std::uint32_t next = cursor.look();
+    if ((next & StreamCursor::hidden_bit) != 0) return false;
+    if (!may) return true;
+    const bool known = (next & StreamCursor::known_bit) != 0;
+    cursor.take(next, known);
+    if (known) {
+        builder_.leaves(low_bits(beside(next)));
+    } else {
+        begin_below();
+    }
+    if (cursor.path_.level() <= held_level_) way_ = Way::each;
+    return true;
+}
+
+// What becomes of codes beside the leaf of the held operand.
+std::uint32_t StreamCombination::beside(std::uint32_t codes) const {
+    const bool is_a = held_ == Held::a;
+    const std::uint32_t held = all_children * static_cast<std::uint32_t>(is_a ? a_.colour_ : b_.colour_);
+    return is_a ? connected(op_, held, codes) : connected(op_, codes, held);
+}
+
+// What is done below a grey octant beside a leaf of the held operand.
+void StreamCombination::begin_below() {
+    const std::uint32_t colours = beside(each_colour) & three_codes;
     if (colours == each_colour || colours == each_complement) {
         way_ = colours == each_colour ? Way::copied : Way::inverted;
         builder_.begin_copy();
@@ -138,6 +171,7 @@ void StreamCombination::begin_below(std::uint32_t colours) {
         way_ = Way::skipped;
         builder_.leaf(static_cast<Colour>(colours & 3U));
     } else {
+        way_ = Way::beside;
         builder_.open();
     }
 }
@@ -151,50 +185,56 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
     if (way_ != Way::skipped) {
         builder_.copy(passage.bytes, passage.at, passage.codes, passage.nodes, way_ == Way::inverted);
     }
-    if (walker.path_.level() <= held_level_) {
-        if (way_ != Way::skipped) builder_.end_copy();
+    const bool over = walker.path_.level() <= held_level_;
+    if (over) {
+        if (way_ != Way::skipped) builder_.end_child();
         way_ = Way::each;
-        advance(false);
     }
-    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
+    if (!builder_.taken()) {
+        if (over) advance();
+        fail(Status::sink_refused, 0, 0);
+    }
     return passage.nodes < most ? passage.nodes : most;
 }
 
-// Goes on in both, or below a leaf of the held one; behind the children of grey octants, if these are known
-// to be leaves. And when that subtree is over, in the held one as well.
-void StreamCombination::advance(bool past_leaves) {
-    const auto go_on = [past_leaves](StreamCursor& cursor) {
-        const bool behind = past_leaves && cursor.colour() == Colour::grey;
-        behind ? cursor.pass_leaves() : cursor.next();
-    };
-    if (held_ != Held::a) go_on(a_);
-    if (held_ != Held::b) go_on(b_);
-    if (held_ != Held::a && !check(a_, 0)) return;
-    if (held_ != Held::b && !check(b_, 1)) return;
-    release();
+// Lets the cursors meet what is next: they read on, find a fault, or the end. Then all but the end of a pass
+// is as before, so that it can be looked at.
+void StreamCombination::arrive() {
+    advance();
+    if (in_progress()) step_back();
 }
 
-void StreamCombination::release() {
-    if (held_ != Held::none && !unary_) {
-        const StreamCursor& walker = held_ == Held::a ? b_ : a_;
-        if (!walker.done() && walker.level() > held_level_) return;
-        StreamCursor& held = held_ == Held::a ? a_ : b_;
-        const std::uint8_t operand = held_ == Held::a ? 0 : 1;
+// Goes on in both operands, first in the one that was grey, or in that one alone as long as it is below a
+// leaf of the held one.
+void StreamCombination::advance() {
+    const unsigned held = held_ == Held::a ? 0 : 1; // if none is, it is all the same
+    StreamCursor& first = held == 0 ? b_ : a_;
+    StreamCursor& second = held == 0 ? a_ : b_;
+    first.next();
+    if (held_ == Held::none) second.next();
+    if (!check(first, 1 - held)) return;
+    const bool below = way_ == Way::beside && !first.done() && first.level() > held_level_;
+    if (!unary_ && !below) {
+        if (held_ != Held::none) second.next();
         held_ = Held::none;
-        held.next();
-        if (!check(held, operand)) return;
+        way_ = Way::each;
+        if (!check(second, held)) return;
     }
-    if (a_.done()) end_pass();
+    if (first.done()) end_pass();
 }
 
-// The cells before the octant where the walk stands, in this pass and the one before.
+// Back before the octants at which the cursors stand.
+void StreamCombination::step_back() {
+    if (held_ != Held::a) a_.step_back();
+    if (held_ != Held::b) b_.step_back();
+}
+
+// The cells before what is next, in this pass and the one before.
 std::uint64_t StreamCombination::decided_cells() const {
-    if (phase_ != Phase::counting && phase_ != Phase::writing) return decided_;
-    const StreamCursor& walker = held_ == Held::a ? b_ : a_;
-    if (walker.done() && walker.path_.whole()) return decided_ + root_volume; // what is behind is wrong
-    const int inner = walker.path_.level();
-    return decided_ + (way_ == Way::each ? walker.path_.volume_before(walker.level())
-                                         : walker.path_.volume_before(inner) + volume_at(inner));
+    if (!in_progress()) return decided_;
+    const PreorderPath& path = walker().path_;
+    const int level = path.level();
+    return decided_ + (level == 0 ? 0 : path.volume_before(level) + volume_at(level));
 }
 
 // The cursors are at the operands' beginning, and the nodes are counted, if they are to be.

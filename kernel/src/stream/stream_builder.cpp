@@ -7,15 +7,6 @@
 
 namespace osem {
 
-namespace {
-
-std::uint32_t codes_of(const std::uint8_t* bytes, unsigned at, bool inverted) {
-    const auto codes = static_cast<std::uint32_t>(codes_at(bytes, 2 * at));
-    return inverted ? complemented(codes) : codes;
-}
-
-} // namespace
-
 void StreamBuilder::restart() {
     nodes_ = 0;
     bits_ = 0;
@@ -64,27 +55,27 @@ void StreamBuilder::leaf(Colour colour) {
     }
     has_leaf_ = false;
     put(static_cast<std::uint32_t>(colour), 1);
-    if (level_ > 0) ++children_[level_ - 1];
-    close_full();
+    end_child();
 }
 
 void StreamBuilder::leaves(std::uint16_t codes) {
     if (is_one_leaf(codes)) return leaf(static_cast<Colour>(codes & 3U));
-    open();
+    OSEM_ASSERT(!whole_ && level_ < max_depth);
     flush_pending(level_);
-    put(codes, 8);
-    children_[level_ - 1] = 8;
-    close_full();
+    ++nodes_;
+    put(static_cast<std::uint32_t>(Colour::grey) | std::uint32_t{codes} << 2, 9);
+    end_child();
 }
 
 // The octants kept back turn out to be grey, those above level `end`.
 void StreamBuilder::flush_pending(int end) {
+    if (pending_ >= end) return;
+    constexpr auto grey = static_cast<std::uint32_t>(Colour::grey);
     const std::uint32_t leaves = 0x5555U * (static_cast<std::uint32_t>(colour_) & 3U);
     for (; pending_ < end; ++pending_) {
         ++nodes_;
-        put(static_cast<std::uint32_t>(Colour::grey), 1);
-        const unsigned count = children_[pending_];
-        put(leaves & ((1U << (2 * count)) - 1U), count);
+        const unsigned count = children_[pending_] + 1U;
+        put((grey | leaves << 2) & ((1U << (2 * count)) - 1U), count);
     }
     has_leaf_ = false;
 }
@@ -111,17 +102,13 @@ void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count,
                          bool inverted) {
     nodes_ += nodes;
     if (!writing_) return;
-    const unsigned to_byte = (0U - at) % 4;
-    const unsigned head = count < to_byte ? count : to_byte;
-    put_part(codes_of(bytes, at, inverted), head);
-    at += head;
-    for (count -= head; count >= 16; count -= 16, at += 16) {
-        const std::uint32_t codes = codes_of(bytes, at, inverted);
-        put_word(buffer_ + filled_, bits_ | codes << used_);
-        bits_ = codes >> 1 >> (31 - used_);
-        end_word();
+    for (;; at += 16, count -= 16) {
+        std::uint32_t codes = sixteen_codes_at(bytes, 2 * at);
+        if (inverted) codes = complemented(codes);
+        if (count < 16) return put(codes & ((1U << (2 * count)) - 1U), count);
+        bits_ |= codes << used_;
+        end_word(codes >> 1 >> (31 - used_));
     }
-    put_part(codes_of(bytes, at, inverted), count);
 }
 
 // The next codes of a canonical tree that is told by its codes alone: of one grey octant at most. Returns
@@ -133,14 +120,9 @@ bool StreamBuilder::put_canonical(std::uint32_t codes, unsigned count) {
     return taken_;
 }
 
-void StreamBuilder::end_copy() {
-    if (level_ > 0) ++children_[level_ - 1];
-    close_full();
-}
-
-// The lowest of some codes, fewer than 16.
-void StreamBuilder::put_part(std::uint32_t codes, unsigned count) {
-    put(codes & ((1U << (2 * count)) - 1U), count);
+// The next octant is complete; its parent stands for good.
+void StreamBuilder::end_child() {
+    if (level_ == 0 || ++children_[level_ - 1] == 8) close_full();
 }
 
 // Fewer than 16 codes.
@@ -149,13 +131,14 @@ void StreamBuilder::put(std::uint32_t codes, unsigned count) {
     bits_ |= codes << used_;
     used_ += 2 * count;
     if (used_ < 32) return;
-    put_word(buffer_ + filled_, bits_);
     used_ -= 32;
-    bits_ = codes >> (2 * count - used_);
-    end_word();
+    end_word(codes >> (2 * count - used_));
 }
 
-void StreamBuilder::end_word() {
+// The word is full, and another one begins.
+void StreamBuilder::end_word(std::uint32_t next) {
+    put_word(buffer_ + filled_, bits_);
+    bits_ = next;
     filled_ += 4;
     if (filled_ == sizeof buffer_) write_buffer();
 }

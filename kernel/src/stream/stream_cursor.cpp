@@ -119,6 +119,28 @@ void StreamCursor::arrive() {
 
 void StreamCursor::next() { path_.whole() ? end() : arrive(); }
 
+// The octant that is next: the codes of its children, for a leaf its own eight times, and what is known of
+// it. It is hidden where it is not in the buffer, where there is none, and where it must be refused.
+std::uint32_t StreamCursor::look() const {
+    const unsigned left = path_.left_[path_.level_];
+    if (left == 0 || at_ >= limit_) return hidden_bit;
+    const auto codes = static_cast<std::uint32_t>(codes_at(buffer_, 2 * at_));
+    if ((codes & 3U) != static_cast<unsigned>(Colour::grey)) {
+        return left == 1 && !path_.may_end() ? hidden_bit : (codes & 3U) * 0x5555U | known_bit;
+    }
+    if (!path_.may_open()) return hidden_bit;
+    const auto below = static_cast<std::uint16_t>(codes >> 2);
+    return below | (eight_leaves(grey_codes(below)) && !eight_alike(below) ? grey_bit | known_bit : grey_bit);
+}
+
+// Back before the octant at which it stands, which next() will meet again.
+void StreamCursor::step_back() {
+    --at_;
+    path_.level_ = level_;
+    if (colour_ == Colour::grey) ++path_.nodes_left_;
+    if (++path_.left_[level_] == 8) path_.look_ahead(static_cast<std::uint32_t>(codes_at(buffer_, 2 * at_)));
+}
+
 bool StreamCursor::leaf_children(std::uint16_t& codes) const {
     if (colour_ != Colour::grey) return false;
     codes = static_cast<std::uint16_t>(codes_at(buffer_, 2 * at_));
@@ -162,6 +184,8 @@ void StreamCursor::skip() {
 // Behind the last octant: the bits that are left (8n + 1 codes end with the first of a byte), and the
 // checksum.
 void StreamCursor::end() {
+    // A walk that looks ahead leaves it to this place.
+    if (path_.nodes_left_ != 0) return fail(Status::stream_count_mismatch, byte_of(at_ - 1));
     if ((buffer_[at_ / 4] >> 2) != 0) return fail(Status::stream_payload_damaged, byte_of(at_));
     std::uint8_t bytes[stream_trailer_size];
     if (!source_.read(source_.context, loaded_, bytes, sizeof bytes)) {
