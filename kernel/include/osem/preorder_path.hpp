@@ -48,8 +48,8 @@ class PreorderPath {
     int level_above() const;
     bool may_open() const { return level_ < depth_ && nodes_left_ != 0; }
     bool may_end() const { return !alike_ && (nodes_left_ == 0 || level_above() != 0); }
-    void enter(std::uint32_t children);
-    void look_ahead(std::uint32_t children);
+    void enter(std::uint32_t children, bool alike);
+    void look_ahead(std::uint32_t children, bool alike);
     void close();
     Octant taken(int level) const;
     std::uint64_t volume_before(int level) const;

@@ -53,7 +53,7 @@ class StreamCombination {
     StreamCombinationOutcome finish();
 
   private:
-    enum class Phase : std::uint8_t { idle, counting, writing, done };
+    enum class Phase : std::uint8_t { idle, done, counting, writing };
     enum class Held : std::uint8_t { none, a, b };
     enum class Way : std::uint8_t { each, beside, skipped, copied, inverted };
 
@@ -63,7 +63,7 @@ class StreamCombination {
     void end_pass();
     bool in_one_pass() const { return sink_.replace != nullptr; }
     bool is_unchanged();
-    bool in_progress() const { return phase_ == Phase::counting || phase_ == Phase::writing; }
+    bool in_progress() const { return phase_ >= Phase::counting; }
     const StreamCursor& walker() const { return held_ == Held::a ? b_ : a_; }
     std::uint64_t decided_cells() const;
     std::uint64_t cells_before_fault() const;

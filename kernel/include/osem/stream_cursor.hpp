@@ -78,10 +78,11 @@ class StreamCursor {
     };
 
     /// What look says beside the codes of eight children: the octant is grey; it is a leaf, or all of its
-    /// children are, of more than one colour; or it cannot be seen from here.
+    /// children are, of more than one colour; they are of one colour; it cannot be seen from here.
     static constexpr std::uint32_t grey_bit = 1U << 16;
     static constexpr std::uint32_t known_bit = 1U << 17;
-    static constexpr std::uint32_t hidden_bit = 1U << 18;
+    static constexpr std::uint32_t alike_bit = 1U << 18;
+    static constexpr std::uint32_t hidden_bit = 1U << 19;
 
     void fail(Status status, std::uint64_t offset);
     Status read_header();
@@ -122,7 +123,7 @@ class StreamCursor {
     --path_.left_[path_.level_];
     if (grey) {
         --path_.nodes_left_;
-        if (!known) return path_.enter(next);
+        if (!known) return path_.enter(next, (next & alike_bit) != 0);
         at_ += 8;
     }
     if (path_.left_[path_.level_] == 0) path_.close();

@@ -54,22 +54,21 @@ Status PreorderPath::ascend() {
 
 // The level of what is next behind the innermost open octant; 0 behind the root.
 int PreorderPath::level_above() const {
-    int level = level_;
-    do --level;
-    while (level > 0 && left_[level] == 0);
+    int level = level_ - 1;
+    while (level > 0 && left_[level] == 0) --level;
     return level > 0 ? level : 0;
 }
 
 // Goes into the grey octant that was taken last, and looks ahead.
-void PreorderPath::enter(std::uint32_t children) {
+void PreorderPath::enter(std::uint32_t children, bool alike) {
     left_[++level_] = 8;
-    look_ahead(children);
+    look_ahead(children, alike);
 }
 
-// The codes of the innermost open octant's children, the first one lowest, of which none has been taken:
-// whether they are leaves of one colour is known before their codes go by.
-void PreorderPath::look_ahead(std::uint32_t children) {
-    alike_ = eight_leaves(grey_codes(children)) && eight_alike(children);
+// The codes of the innermost open octant's children, the first one lowest, of which none has been taken: so
+// whether they are leaves of one colour is known before they go by.
+void PreorderPath::look_ahead(std::uint32_t children, bool alike) {
+    alike_ = alike;
     colour_ = static_cast<Colour>(children & 3U);
 }
 
@@ -162,7 +161,7 @@ Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsig
         const CodeGroups groups(all_codes_at(from, 2 * in_byte));
         const unsigned taken = groups.to_end(coming, ready);
         const unsigned greys = groups.greys(taken);
-        from += 2 * taken;
+        from += std::size_t{2} * taken;
         nodes += greys;
         coming += greys - taken;
     } while (coming != 0 && nodes < most && from < end);

@@ -10,8 +10,9 @@ namespace {
 
 bool read_memory(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count) {
     const std::uint8_t* from = static_cast<const std::uint8_t*>(context) + offset;
-    for (; count >= 4; count -= 4, from += 4, bytes += 4) put_word(bytes, word_at(from));
-    for (std::size_t i = 0; i < count; ++i) bytes[i] = from[i];
+    const std::uint8_t* const end = from + count;
+    for (; end - from >= 4; from += 4, bytes += 4) put_word(bytes, word_at(from));
+    while (from != end) *bytes++ = *from++;
     return true;
 }
 
@@ -130,7 +131,8 @@ std::uint32_t StreamCursor::look() const {
     }
     if (!path_.may_open()) return hidden_bit;
     const auto below = static_cast<std::uint16_t>(codes >> 2);
-    return below | (eight_leaves(grey_codes(below)) && !eight_alike(below) ? grey_bit | known_bit : grey_bit);
+    if (!eight_leaves(grey_codes(below))) return below | grey_bit;
+    return below | (eight_alike(below) ? grey_bit | alike_bit : grey_bit | known_bit);
 }
 
 // Back before the octant at which it stands, which next() will meet again.
@@ -138,7 +140,9 @@ void StreamCursor::step_back() {
     --at_;
     path_.level_ = level_;
     if (colour_ == Colour::grey) ++path_.nodes_left_;
-    if (++path_.left_[level_] == 8) path_.look_ahead(static_cast<std::uint32_t>(codes_at(buffer_, 2 * at_)));
+    if (++path_.left_[level_] != 8) return;
+    const auto children = static_cast<std::uint16_t>(codes_at(buffer_, 2 * at_));
+    path_.look_ahead(children, is_one_leaf(children));
 }
 
 bool StreamCursor::leaf_children(std::uint16_t& codes) const {
