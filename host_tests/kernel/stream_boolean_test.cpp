@@ -410,6 +410,7 @@ TEST(StreamBoolean, ASourceThatChangesBetweenThePassesIsNamed) {
             const Source b = operand == 0 ? source_of(other) : changing.source();
             TestSink to;
             const StreamCombinationOutcome outcome = combine(job, op, a, b, to.sink());
+            EXPECT_EQ(job.decided_volume(), root_volume);
             EXPECT_EQ(changing.passes, 2);
             EXPECT_EQ(outcome.status, Status::source_failed);
             EXPECT_EQ(outcome.operand, operand);

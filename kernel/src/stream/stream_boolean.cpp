@@ -249,9 +249,9 @@ void StreamCombination::begin_writing() {
 }
 
 void StreamCombination::end_pass() {
+    if (phase_ == Phase::writing && !in_one_pass() && !is_unchanged()) return;
     decided_ += root_volume;
     if (phase_ == Phase::writing) {
-        if (!in_one_pass() && !is_unchanged()) return;
         phase_ = Phase::done;
         outcome_.header.nodes = static_cast<std::uint32_t>(builder_.nodes());
         outcome_.status = builder_.finish();
