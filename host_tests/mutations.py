@@ -20,7 +20,7 @@ SUITES = {
     "boundary": "Boundary*",
     "csg": "Csg*",
     "stream": "Stream*",
-    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*",
+    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*",
     "osem": "Pruning*:Grid*:Symmetries*:Octree*",
 }
 

@@ -51,15 +51,15 @@ bool meets_square(const Triangle2& triangle, const Plane2& corner, std::int64_t 
 
 // A triangle less than 16 octants long, and a place near it; of their coordinates many are on octants'
 // borders.
-struct Case {
+struct TriangleSeen {
     SmallTriangle from_place = {};
     Triangle2 seen;
     Plane2 place;
     int shift;
     int turn = 0;
 
-    Case(std::mt19937& random, int u, int v) {
-        shift = std::uniform_int_distribution<int>(0, 14)(random);
+    TriangleSeen(std::mt19937& random, int u, int v) {
+        shift = std::uniform_int_distribution<int>(0, 18)(random);
         const std::int32_t side = std::int32_t{1} << shift;
         const auto coordinate = [&](std::int32_t least, std::int32_t most) {
             const std::int32_t line = std::uniform_int_distribution<std::int32_t>(least, most)(random) * side;
@@ -94,7 +94,7 @@ void compare(EdgeFunctions::Of what, const Expected& expected) {
         const int axis = trial % 3;
         const int u = u_of[axis];
         const int v = v_of[axis];
-        const Case triangle(random, u, v);
+        const TriangleSeen triangle(random, u, v);
         const int places = 1 + trial % 32;
         EdgeFunctions edges(triangle.from_place, u, v, triangle.turn, triangle.shift, what,
                             static_cast<std::uint32_t>(places));
@@ -117,13 +117,13 @@ void compare(EdgeFunctions::Of what, const Expected& expected) {
 }
 
 TEST(EdgeFunctions, TellPointsInside) {
-    compare(EdgeFunctions::Of::points, [](const Case& triangle, const Plane2& point) {
+    compare(EdgeFunctions::Of::points, [](const TriangleSeen& triangle, const Plane2& point) {
         return has_point(triangle.seen, point, triangle.turn);
     });
 }
 
 TEST(EdgeFunctions, TellSquaresThatNoEdgeSeparates) {
-    compare(EdgeFunctions::Of::squares, [](const Case& triangle, const Plane2& corner) {
+    compare(EdgeFunctions::Of::squares, [](const TriangleSeen& triangle, const Plane2& corner) {
         return meets_square(triangle.seen, corner, std::int64_t{1} << triangle.shift, triangle.turn);
     });
 }

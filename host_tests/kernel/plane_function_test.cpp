@@ -40,14 +40,14 @@ bool passes(const Plane& plane, const osem::Box& box) {
 
 // A triangle less than 16 octants long in the middle of the root, many of its corners on octants' borders;
 // and the octants that its bounding box overlaps.
-struct Case {
+struct TriangleInBox {
     Point points[3];
     std::uint32_t corners[3] = {0, 1, 2};
     int shift;
     Point from;
     int octants[3];
 
-    explicit Case(std::mt19937& random) {
+    explicit TriangleInBox(std::mt19937& random) {
         shift = std::uniform_int_distribution<int>(0, 13)(random);
         for (int axis = 0; axis < 3; ++axis) {
             const int most = std::uniform_int_distribution<int>(1, small_octants - 1)(random);
@@ -85,7 +85,7 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
     int passed_by = 0;
     int looked_at = 0;
     for (int trial = 0; trial < 20000; ++trial) {
-        const Case triangle(random);
+        const TriangleInBox triangle(random);
         if (triangle.is_line()) continue;
         const Plane plane(triangle.solid(), 0);
         const auto count = static_cast<std::uint32_t>(triangle.octants[0]);

@@ -145,7 +145,7 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     if (across == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
     const bool has_31_bits = -across <= INT32_MAX && across <= INT32_MAX; // as FourStairs ask for
-    if (axis == axis_x && is_small() && has_31_bits) {
+    if (guesses_cost_much && axis == axis_x && is_small() && has_31_bits) {
         return pass_small(along_u, along_v, passages, scratch);
     }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)

@@ -9,9 +9,10 @@
 
 namespace osem {
 
-/// Calls meet(face) for each of the faces face_of(first), face_of(first + 1) ... before face_of(end). What is
-/// read of a face is sent for two faces before: a mesh has neighbours far apart, and a part with caches would
-/// wait for their corners. (In line: a compiler drops a call of a function that only fetches.)
+/// Calls meet(face) for each of the faces face_of(first), face_of(first + 1) ... before face_of(end). Which
+/// corners a face has is sent for two faces before, and where they are one face before: a mesh has them far
+/// apart, and a part with caches would wait for both. (Not in a function of its own that is not in line: one
+/// that only sends for memory has no effect, as a compiler sees it, so a call of it is dropped.)
 template <class FaceOf, class Meet>
 [[gnu::always_inline]] inline void each_face(const Solid& solid, std::uint32_t first, std::uint32_t end,
                                              FaceOf face_of, Meet meet) {

@@ -58,7 +58,8 @@ class EdgeFunctions {
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
     struct Edge {
-        Four value; ///< two's complement; below 2^30, with all steps, as the side is 2^18 at most
+        Four value; ///< two's complement; below 2^30, with steps over 32 places and 20 rows, as the
+                    ///< side is 2^18 at most
         std::uint32_t by_u;
         std::uint32_t by_four_rows;
 

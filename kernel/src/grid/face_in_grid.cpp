@@ -188,6 +188,8 @@ inline void FaceInGrid::see_small(const SmallTriangle& triangle, int u, int v, c
 // side by side: so the box begins where there are as many to the grid's end. False, and nothing marked, if
 // the triangle is seen as a line, or its plane's numbers are too large.
 inline bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch) {
+    static_assert(last_grid_space(4) >= 3 * 16 && last_grid_space(5) >= 3 * (small_octants + 4),
+                  "room for what is seen, in fours of rows");
     for (int axis = 0; axis < 3; ++axis) {
         if (plane().normal(axis).value() == 0) return false;
     }
@@ -227,7 +229,7 @@ void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uin
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
-    if (is_small() && mark_small(range, rows, scratch)) return;
+    if (guesses_cost_much && is_small() && mark_small(range, rows, scratch)) return;
     if (is_convex()) {
         mark_convex(plane(), range, rows, scratch);
     } else {

@@ -117,12 +117,10 @@ class FaceInGrid {
     void mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings);
     void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
-    // Whether it is a triangle and a small one, in a grid that has four rows beside each other, and a part
-    // that it is worth it for.
+    // Whether it is a small triangle, in a grid that has four rows beside each other.
     bool is_small() const {
         const std::int32_t lengths = extent_.length(axis_x) | extent_.length(axis_y) | extent_.length(axis_z);
-        return guesses_cost_much && end_ - corners_ == 3 && grid_.levels >= 2 &&
-               lengths >> grid_.shift < small_octants;
+        return end_ - corners_ == 3 && grid_.levels >= 2 && lengths >> grid_.shift < small_octants;
     }
     [[gnu::always_inline]] SmallTriangle small_triangle(const Point& from) const {
         const auto to = [this, &from](unsigned corner, int axis) {
@@ -131,7 +129,7 @@ class FaceInGrid {
         return {
             {{to(0, 0), to(0, 1), to(0, 2)}, {to(1, 0), to(1, 1), to(1, 2)}, {to(2, 0), to(2, 1), to(2, 2)}}};
     }
-    // Of a row and the three behind it, or four of the grid that it is among.
+    // The first of four rows of the grid that a row is among: itself, if three more stand behind it.
     int first_of_four(int row) const { return row < grid_.side() - 4 ? row : grid_.side() - 4; }
     inline bool mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch);
     inline void see_small(const SmallTriangle& triangle, int u, int v, const IndexRange (&box)[3],

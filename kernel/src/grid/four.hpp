@@ -29,9 +29,11 @@ inline void set_where_has(Four& result, std::uint32_t bits) {
 
 /// Four numbers that stand in a row, wherever that begins.
 inline void load(Four& numbers, const std::uint32_t* from) {
-    __builtin_memcpy(&numbers, from, sizeof numbers);
+    __builtin_memcpy(&numbers, __builtin_assume_aligned(from, alignof(std::uint32_t)), sizeof numbers);
 }
-inline void store(std::uint32_t* to, const Four& numbers) { __builtin_memcpy(to, &numbers, sizeof numbers); }
+inline void store(std::uint32_t* to, const Four& numbers) {
+    __builtin_memcpy(__builtin_assume_aligned(to, alignof(std::uint32_t)), &numbers, sizeof numbers);
+}
 
 } // namespace osem
 

@@ -21,12 +21,15 @@ class PlaneFunction {
         : PlaneFunction(plane.at(corner).value(), plane.normal(0).value(), plane.normal(1).value(),
                         plane.normal(2).value(), shift, octants) {}
 
-    /// Whether numbers do fit for octants of whose corners none is as far as so many octants from the plane
-    /// along x in a row through which it passes.
-    bool fits(std::int64_t octants) const { return octants * across_ + 2 * rise_and_fall_ < INT32_MAX; }
+    /// Whether numbers do fit for the octants of rows that hold a point of the plane to which each octant's
+    /// lower corner is nearer than so many octants along x. The greatest value is then at most so many times
+    /// the change along x, and once more the rise and the fall, from 0; for an octant that the plane is
+    /// above it stays below 0 by less than 2^32 less what it is compared with, which is the rise and the
+    /// fall.
+    bool fits(std::int64_t octants) const { return octants * across_ + 2 * rise_and_fall_ < UINT32_MAX; }
 
     /// Through which octants of four rows it passes, from a row on of a layer: a bit for each, the first one
-    /// lowest. There are bits above the last one's as well.
+    /// lowest.
     void see_four(std::uint32_t row, std::uint32_t layer, Four& passed) const {
         Four values = at_last_ + (row * by_row_ + layer * by_layer_);
         const Four end = Four{} + end_;
@@ -40,7 +43,8 @@ class PlaneFunction {
     }
 
   private:
-    // What numbers are greater than without a sign, as they are compared with one: so none below 0 passes.
+    // Added to numbers, so that comparing them with a sign is comparing without one: none below 0 is below
+    // the end.
     static constexpr std::uint32_t least = std::uint32_t{1} << 31;
 
     PlaneFunction(std::int64_t at_corner, std::int64_t by_x, std::int64_t by_y, std::int64_t by_z, int shift,

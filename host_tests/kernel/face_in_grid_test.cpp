@@ -1,0 +1,155 @@
+// One face against a grid's octants and reference points, against a classification of each octant and a
+// crossing of each step between points. What it is given is as long as it says, in memory of its own.
+#include "grid/face_in_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <random>
+
+#include "classify/box.hpp"
+#include "classify/crossing.hpp"
+
+namespace osem::tests {
+
+namespace {
+
+using OwnWords = std::unique_ptr<std::uint32_t[]>;
+
+OwnWords own_words(std::size_t count) { return std::make_unique<std::uint32_t[]>(count); }
+
+// A triangle and a grid that it reaches into: of up to 15 octants along each axis, or of up to 40; many of
+// its corners are on octants' borders, and many triangles at the grid's end or beyond it.
+struct TriangleInGrid {
+    OctantGrid grid;
+    Point points[3] = {};
+    std::uint32_t corners[3] = {0, 1, 2};
+
+    explicit TriangleInGrid(std::mt19937& random) : grid(grid_of(random)) {
+        do {
+            for (int axis = 0; axis < 3; ++axis) choose(random, axis);
+        } while (!reaches_in());
+    }
+    Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
+
+  private:
+    static int in(std::mt19937& random, int first, int last) {
+        return std::uniform_int_distribution<int>(first, last)(random);
+    }
+    static OctantGrid grid_of(std::mt19937& random) {
+        const int levels = in(random, 1, 5);
+        const int shift = in(random, 0, 20 - levels);
+        Point corner;
+        for (std::int32_t& at : corner.at) {
+            at = in(random, 0, (root_side >> (shift + levels)) - 1) << (shift + levels);
+        }
+        return {corner, shift, in(random, 0, 1) == 0 ? 0 : (1 << shift) / 2, levels};
+    }
+    void choose(std::mt19937& random, int axis) {
+        const std::int32_t side = grid.length();
+        const int most = in(random, 0, 5) == 0 ? 40 : in(random, 1, 15);
+        const int before = in(random, -most, grid.side() - 1);
+        for (Point& point : points) {
+            std::int32_t from_corner = (before + in(random, 0, most)) * side;
+            if (in(random, 0, 1) == 0) from_corner += in(random, 0, side - 1);
+            const std::int32_t at = grid.corner.at[axis] + from_corner;
+            point.at[axis] = at < 0 ? 0 : at < root_side ? at : root_side;
+        }
+    }
+    bool reaches_in() const {
+        const Extent extent(solid(), 0);
+        bool reaches = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t low = grid.corner.at[axis];
+            reaches = reaches && extent.overlaps(axis, low, low + (grid.length() << grid.levels));
+        }
+        return reaches;
+    }
+};
+
+bool meets_octant(const TriangleInGrid& given, const Point& low) {
+    osem::Box box = {low, low};
+    for (std::int32_t& at : box.hi.at) at += given.grid.length();
+    return classify_box(given.solid(), 0, box).meets;
+}
+
+TEST(FaceInGrid, MarksTheOctantsThatItMeets) {
+    std::mt19937 random(8);
+    std::uint64_t marked = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+        const TriangleInGrid given(random);
+        const OctantGrid& grid = given.grid;
+        const OwnWords rows = own_words(static_cast<std::size_t>(grid.rows()));
+        const OwnWords scratch = own_words(last_grid_space(grid.levels));
+        FaceInGrid(given.solid(), 0, grid).mark(rows.get(), scratch.get(), nullptr);
+        for (int k = 0; k < grid.side(); ++k) {
+            for (int j = 0; j < grid.side(); ++j) {
+                std::uint32_t expected = 0;
+                for (int i = 0; i < grid.side(); ++i) {
+                    if (meets_octant(given, grid.at(i, j, k))) expected |= std::uint32_t{1} << i;
+                }
+                ASSERT_EQ(rows[static_cast<std::size_t>(grid.row(j, k))], expected)
+                    << trial << ": " << j << ", " << k;
+                marked += expected != 0 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(marked, 10000U);
+}
+
+// What a face adds on the way from the first point to each: along y, then z, then x.
+class Ways {
+  public:
+    explicit Ways(const TriangleInGrid& given) : given_(given), solid_(given.solid()) {}
+
+    std::int32_t to(int i, int j, int k) const {
+        std::int32_t number = 0;
+        for (int step = 0; step < j; ++step) number += passed(0, step, 0, axis_y);
+        for (int step = 0; step < k; ++step) number += passed(0, j, step, axis_z);
+        for (int step = 0; step < i; ++step) number += passed(step, j, k, axis_x);
+        return number;
+    }
+
+  private:
+    std::int32_t passed(int i, int j, int k, Axis axis) const {
+        return crossing(solid_, 0, given_.grid.point(i, j, k), axis, given_.grid.length());
+    }
+
+    const TriangleInGrid& given_;
+    Solid solid_;
+};
+
+TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
+    std::mt19937 random(9);
+    std::uint64_t crossed = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        const TriangleInGrid given(random);
+        const OctantGrid& grid = given.grid;
+        const auto rows = static_cast<std::uint32_t>(grid.rows());
+        const OwnWords numbers = own_words(std::size_t{3} * rows);
+        const OwnWords scratch = own_words(last_grid_space(grid.levels));
+        RowWindings windings(numbers.get(), 3 * rows, grid.levels, WindingRule::nonzero);
+        FaceInGrid(given.solid(), 0, grid).add_crossings(windings, scratch.get());
+        ASSERT_FALSE(windings.overflowed());
+        windings.finish(0);
+        const Ways ways(given);
+        for (int look = 0; look < 400; ++look) {
+            const auto any = [&] { return std::uniform_int_distribution<int>(0, grid.side() - 1)(random); };
+            const int i = any();
+            const int j = any();
+            const int k = any();
+            const std::int32_t expected = ways.to(i, j, k);
+            ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)),
+                      expected)
+                << trial << ": " << i << ", " << j << ", " << k;
+            crossed += expected != 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(crossed, 2000U);
+}
+
+} // namespace
+
+} // namespace osem::tests
