@@ -158,10 +158,11 @@ void expect_like_reader(const Bytes& bytes, const std::string& what) {
             bytes.size() < size ? Status::stream_truncated : Status::stream_trailing_bytes;
         expected.offset = std::min<std::uint64_t>(bytes.size(), size);
     }
-    for (const bool skipping : {false, true}) {
+    for (void (StreamCursor::*const go_on)() :
+         {&StreamCursor::next, &StreamCursor::next_or_leaves, &StreamCursor::skip}) {
         StreamCursor cursor;
         cursor.begin(source_of(bytes));
-        while (!cursor.done()) skipping ? cursor.skip() : cursor.next();
+        while (!cursor.done()) (cursor.*go_on)();
         EXPECT_EQ(cursor.status(), expected.built.status) << what << ": " << describe(cursor.status());
         EXPECT_EQ(cursor.offset(), expected.offset) << what;
     }
@@ -203,6 +204,11 @@ TEST(StreamCursor, HostileFormsWithRightChecksums) {
         model.nodes = nodes;
         model.payload.resize(std::min<std::size_t>(2 * std::size_t{nodes} + 1, 400));
         expect_like_reader(model.bytes(), std::to_string(nodes) + " nodes");
+    }
+    for (const Colour colour : {Colour::white, Colour::boundary, Colour::black}) {
+        std::vector<Colour> eight_alike(9, colour);
+        eight_alike[0] = Colour::grey;
+        expect_like_reader(StreamModel(3, eight_alike).bytes(), "eight equal leaves");
     }
 }
 

@@ -213,8 +213,7 @@ void StreamCombination::advance() {
     first.next();
     if (held_ == Held::none) second.next();
     if (!check(first, 1 - held)) return;
-    const bool below = way_ == Way::beside && !first.done() && first.level() > held_level_;
-    if (!unary_ && !below) {
+    if (!unary_ && way_ != Way::beside) { // there what is next is below the leaf
         if (held_ != Held::none) second.next();
         held_ = Held::none;
         way_ = Way::each;
