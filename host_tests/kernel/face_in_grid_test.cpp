@@ -9,8 +9,8 @@
 #include <memory>
 #include <random>
 
-#include "classify/box.hpp"
 #include "classify/crossing.hpp"
+#include "support/octant_box.hpp"
 
 namespace osem::tests {
 
@@ -69,12 +69,6 @@ struct TriangleInGrid {
     }
 };
 
-bool meets_octant(const TriangleInGrid& given, const Point& low) {
-    osem::Box box = {low, low};
-    for (std::int32_t& at : box.hi.at) at += given.grid.length();
-    return classify_box(given.solid(), 0, box).meets;
-}
-
 TEST(FaceInGrid, MarksTheOctantsThatItMeets) {
     std::mt19937 random(8);
     std::uint64_t marked = 0;
@@ -88,7 +82,8 @@ TEST(FaceInGrid, MarksTheOctantsThatItMeets) {
             for (int j = 0; j < grid.side(); ++j) {
                 std::uint32_t expected = 0;
                 for (int i = 0; i < grid.side(); ++i) {
-                    if (meets_octant(given, grid.at(i, j, k))) expected |= std::uint32_t{1} << i;
+                    const osem::Box octant = octant_box(grid, i, j, k);
+                    if (classify_box(given.solid(), 0, octant).meets) expected |= std::uint32_t{1} << i;
                 }
                 ASSERT_EQ(rows[static_cast<std::size_t>(grid.row(j, k))], expected)
                     << trial << ": " << j << ", " << k;

@@ -6,22 +6,13 @@
 #include <cstdint>
 #include <random>
 
-#include "classify/box.hpp"
 #include "grid/edge_functions.hpp"
 #include "grid/extent.hpp"
+#include "support/octant_box.hpp"
 
 namespace osem::tests {
 
 namespace {
-
-osem::Box cube(const Point& from, int i, int j, int k, int shift) {
-    osem::Box box = {from, {}};
-    box.lo.at[axis_x] += i << shift;
-    box.lo.at[axis_y] += j << shift;
-    box.lo.at[axis_z] += k << shift;
-    for (int axis = 0; axis < 3; ++axis) box.hi.at[axis] = box.lo.at[axis] + (1 << shift);
-    return box;
-}
 
 bool passes(const Plane& plane, const osem::Box& box) {
     bool above = false;
@@ -43,12 +34,12 @@ bool passes(const Plane& plane, const osem::Box& box) {
 struct TriangleInBox {
     Point points[3];
     std::uint32_t corners[3] = {0, 1, 2};
-    int shift;
-    Point from;
+    OctantGrid grid = {{}, 0, 0, 5}; ///< from the box's lower corner on
     int octants[3];
 
     explicit TriangleInBox(std::mt19937& random) {
-        shift = std::uniform_int_distribution<int>(0, 13)(random);
+        const int shift = std::uniform_int_distribution<int>(0, 13)(random);
+        grid.shift = shift;
         for (int axis = 0; axis < 3; ++axis) {
             const int most = std::uniform_int_distribution<int>(1, small_octants - 1)(random);
             for (Point& point : points) {
@@ -60,8 +51,8 @@ struct TriangleInBox {
         }
         const Extent extent(solid(), 0);
         for (int axis = 0; axis < 3; ++axis) {
-            from.at[axis] = extent.low.at[axis] >> shift << shift;
-            octants[axis] = ((extent.high.at[axis] - 1 - from.at[axis]) >> shift) + 1;
+            grid.corner.at[axis] = extent.low.at[axis] >> shift << shift;
+            octants[axis] = ((extent.high.at[axis] - 1 - grid.corner.at[axis]) >> shift) + 1;
         }
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
@@ -72,7 +63,7 @@ struct TriangleInBox {
     // Whether the triangle is somewhere in a row along x.
     bool has_row(int j, int k) const {
         for (int i = 0; i < octants[0]; ++i) {
-            if (classify_box(solid(), 0, cube(from, i, j, k, shift)).meets) return true;
+            if (classify_box(solid(), 0, octant_box(grid, i, j, k)).meets) return true;
         }
         return false;
     }
@@ -89,10 +80,10 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
         if (triangle.is_line()) continue;
         const Plane plane(triangle.solid(), 0);
         const auto count = static_cast<std::uint32_t>(triangle.octants[0]);
-        const PlaneFunction function(plane, triangle.from, triangle.shift, count);
+        const PlaneFunction function(plane, triangle.grid.corner, triangle.grid.shift, count);
         const std::int32_t length = Extent(triangle.solid(), 0).length(axis_x);
-        ++(function.fits((length >> triangle.shift) + 2) ? fitting : others);
-        if (!function.fits((length >> triangle.shift) + 2)) continue;
+        ++(function.fits((length >> triangle.grid.shift) + 2) ? fitting : others);
+        if (!function.fits((length >> triangle.grid.shift) + 2)) continue;
         for (int k = 0; k < triangle.octants[2]; ++k) {
             for (int j = 0; j < triangle.octants[1]; ++j) {
                 if (!triangle.has_row(j, k)) continue;
@@ -101,7 +92,7 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
                 if (first > j) continue;
                 function.see_four(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(k), passed);
                 for (int i = 0; i < triangle.octants[0]; ++i) {
-                    const bool is_passed = passes(plane, cube(triangle.from, i, j, k, triangle.shift));
+                    const bool is_passed = passes(plane, octant_box(triangle.grid, i, j, k));
                     ASSERT_EQ(passed[j - first] >> i & 1U, is_passed ? 1U : 0U)
                         << i << ", " << j << ", " << k;
                     passed_by += is_passed ? 1 : 0;
