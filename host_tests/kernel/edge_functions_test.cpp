@@ -96,11 +96,11 @@ void compare(EdgeFunctions::Of what, const Expected& expected) {
         const int v = v_of[axis];
         const TriangleSeen triangle(random, u, v);
         const int places = 1 + trial % 32;
-        EdgeFunctions edges(triangle.from_place, u, v, triangle.turn, triangle.shift, what,
-                            static_cast<std::uint32_t>(places));
+        EdgeFunctions edges(triangle.from_place, u, v, triangle.turn, triangle.shift, what);
+        Four rows = {};
         for (int j = 0; j < 18; ++j) {
-            if (j % 4 == 0) edges.see_four();
-            const std::uint32_t row = edges.seen()[j % 4];
+            if (j % 4 == 0) edges.see_four(static_cast<std::uint32_t>(places), rows);
+            const std::uint32_t row = rows[j % 4];
             ASSERT_EQ(std::uint64_t{row} >> places, 0U);
             looked_at += places;
             for (int i = 0; i < places; ++i) {

@@ -1,5 +1,4 @@
 // What a face adds to the winding numbers of a grid's reference points.
-#include "grid/edge_functions.hpp"
 #include "grid/face_in_grid.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
@@ -57,43 +56,6 @@ class FaceInGrid::Passages {
         }
     }
 
-    static constexpr int most_kept = 44; // places, to which a step adds up to four
-    static_assert(last_grid_space(1) >= most_kept + 4, "room for places");
-    // Rays along x in a box, of which a triangle that turns like this has some, in four layers side by side.
-    // Where the triangle is seen its plane is where the triangle is, so quotients modulo 2^32 are the numbers
-    // themselves; elsewhere they do not matter.
-    void add_small(EdgeFunctions& edges, const IndexRange& y, const IndexRange& z, int turn,
-                   std::uint32_t* places) {
-        const auto most = static_cast<std::uint32_t>(grid_.side() - 1);
-        const std::uint32_t layer = RowWindings::place(grid_.row(0, 1), 0);
-        const Four layers = {0, layer, 2 * layer, 3 * layer};
-        FourStairs last = rows_.four(y.first, z.first);
-        std::uint32_t* end = places;
-        for (int k = z.first; k <= z.last; k += 4) {
-            edges.see_four();
-            last.begin_four();
-            Four in_box = {};
-            set_where_has(in_box, bits_between(0, static_cast<unsigned>(z.last - k < 3 ? z.last - k : 3)));
-            Four seen = edges.seen() & in_box;
-            Four row = RowWindings::place(grid_.row(y.first, k), 0) + layers;
-            for (std::uint32_t left = y.count(); left != 0; --left, last.next(), seen >>= 1) {
-                Four outside = {};
-                set_where_negative(outside, last.values() | (most - 1 - last.values()));
-                const Four has = seen & ~outside & 1U;
-                const Four place = row + last.values();
-                for (unsigned ray = 0; ray < 4; ++ray) { // kept if it is one
-                    *end = place[ray];
-                    end += has[ray];
-                }
-                row += RowWindings::place(1, 0);
-                if (end - places <= most_kept) continue;
-                windings_.add_behind_each(places, end, -turn);
-                end = places;
-            }
-        }
-        windings_.add_behind_each(places, end, -turn);
-    }
-
   private:
     Passages(const Plane& plane, const OctantGrid& grid, int axis, int guess, int turn, RowWindings& windings)
         : Passages(turn * plane.normal(axis).value(),
@@ -128,26 +90,12 @@ void FaceInGrid::pass_all(RowWindings& windings, std::uint32_t* scratch) {
     pass(axis_y, first_x, common(z, {0, 0}), windings, scratch);
 }
 
-// Apart, so that parts that do not come here have no room for it on their stack.
-inline void FaceInGrid::pass_small(const IndexRange& along_y, const IndexRange& along_z, Passages& passages,
-                                   std::uint32_t* scratch) {
-    const int turn = plane().normal(axis_x).sign();
-    EdgeFunctions edges(small_triangle(grid_.point(0, along_y.first, along_z.first)), axis_y, axis_z, turn,
-                        grid_.shift, EdgeFunctions::Of::points, along_y.count());
-    passages.add_small(edges, along_y, along_z, turn, scratch);
-}
-
 void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
                       std::uint32_t* scratch) {
     const IndexRange own = between(axis); // no point, or every one, comes before the face
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
-    const std::int64_t across = plane().normal(axis).value();
-    if (across == 0) return; // seen as a line
+    if (plane().normal(axis).value() == 0) return; // seen as a line
     Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
-    const bool has_31_bits = -across <= INT32_MAX && across <= INT32_MAX; // as FourStairs ask for
-    if (guesses_cost_much && axis == axis_x && is_small() && has_31_bits) {
-        return pass_small(along_u, along_v, passages, scratch);
-    }
     is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)
                 : pass_any(axis, along_u, along_v, passages, scratch);
 }

@@ -26,40 +26,48 @@ class EdgeFunctions {
   public:
     enum class Of { points, squares };
 
-    /// Rows of 1 to 32 places along u from the one on that the triangle's corners are told from, which is a
-    /// point or a square's lower corner. Turn: 1 if the corners are seen to turn to the left, -1 to the
-    /// right; they must turn.
-    EdgeFunctions(const SmallTriangle& triangle, int u, int v, int turn, int shift, Of of,
-                  std::uint32_t places)
+    /// Rows of places along u from the one on that the triangle's corners are told from, which is a point or
+    /// a square's lower corner. Turn: 1 if the corners are seen to turn to the left, -1 to the right; they
+    /// must turn.
+    EdgeFunctions(const SmallTriangle& triangle, int u, int v, int turn, int shift, Of of)
         : edges_{Edge(triangle.corners[2], triangle.corners[0], u, v, turn, shift, of),
                  Edge(triangle.corners[0], triangle.corners[1], u, v, turn, shift, of),
-                 Edge(triangle.corners[1], triangle.corners[2], u, v, turn, shift, of)},
-          places_(places) {}
+                 Edge(triangle.corners[1], triangle.corners[2], u, v, turn, shift, of)} {}
 
-    /// Goes on to the next four rows, the first time to the first ones.
-    void see_four() {
-        Four values[3];
-        for (unsigned edge = 0; edge < 3; ++edge) {
-            values[edge] = edges_[edge].value;
-            edges_[edge].value += edges_[edge].by_four_rows;
+    /// Goes on to the next four rows, the first time to the first ones, and stands at their first places.
+    void begin_four() {
+        for (Edge& edge : edges_) {
+            edge.now = edge.value;
+            edge.value += edge.by_four_rows;
         }
-        seen_ = Four{};
-        for (std::uint32_t left = places_; left != 0; --left) { // the last one is the highest bit
-            seen_ = seen_ >> 1 | (~(values[0] | values[1] | values[2]) & 0x80000000U);
-            for (unsigned edge = 0; edge < 3; ++edge) values[edge] += edges_[edge].by_u;
-        }
-        seen_ >>= 32 - places_;
     }
-    /// Of each of these the places that it has, a bit for each, the first one lowest.
-    const Four& seen() const { return seen_; }
+    /// Of the places at which it stands, in its highest bit: whether the triangle does not have it.
+    void outside(Four& result) const { result = edges_[0].now | edges_[1].now | edges_[2].now; }
+    void next() {
+        for (Edge& edge : edges_) edge.now += edge.by_u;
+    }
+
+    /// Goes on to the next four rows as well. Of each row so many places, up to 32: a bit for each that the
+    /// triangle has, the first one lowest.
+    void see_four(std::uint32_t places, Four& seen) {
+        begin_four();
+        seen = Four{};
+        for (std::uint32_t left = places; left != 0; --left, next()) { // the last one is the highest bit
+            Four not_had = {};
+            outside(not_had);
+            seen = seen >> 1 | (~not_had & 0x80000000U);
+        }
+        seen >>= 32 - places;
+    }
 
   private:
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
     struct Edge {
-        Four value; ///< two's complement; below 2^30, with steps over 32 places and 20 rows, as the
+        Four value; ///< two's complement; below 2^30, with steps over 33 places and 20 rows, as the
                     ///< side is 2^18 at most
+        Four now;
         std::uint32_t by_u;
         std::uint32_t by_four_rows;
 
@@ -72,20 +80,21 @@ class EdgeFunctions {
             const std::int64_t inside = to_u * step_u + to_v * step_v;
             std::int64_t at = 0;
             if (of == Of::points) {
-                at = (inside - (step_u < 0 || (step_u == 0 && step_v < 0) ? 1 : 0)) >> shift;
+                // Without a branch: 1 less where step_u is below 0, or it is 0 and step_v is below 0.
+                at = (inside + ((step_u * (std::int64_t{1} << 32) + step_v) >> 63)) >> shift;
             } else {
                 at = ((inside - 1) >> shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
             }
             const auto by_v = static_cast<std::uint32_t>(step_v);
             by_u = static_cast<std::uint32_t>(step_u);
             by_four_rows = 4 * by_v;
-            value = static_cast<std::uint32_t>(at) + Four{0, by_v, 2 * by_v, 3 * by_v};
+            set_multiples(value, by_v);
+            value += static_cast<std::uint32_t>(at);
+            now = value;
         }
     };
 
     Edge edges_[3];
-    std::uint32_t places_;
-    Four seen_ = {};
 };
 
 } // namespace osem

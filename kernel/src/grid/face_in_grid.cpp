@@ -177,10 +177,11 @@ class PassedOctants {
 inline void FaceInGrid::see_small(const SmallTriangle& triangle, int u, int v, const IndexRange (&box)[3],
                                   std::uint32_t* rows) {
     const int turn = turn_of(plane(), axis_x + axis_y + axis_z - u - v);
-    EdgeFunctions edges(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares, box[u].count());
+    EdgeFunctions edges(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares);
     for (std::uint32_t row = 0; row < box[v].count(); row += 4) {
-        edges.see_four();
-        store(rows + row, edges.seen() << box[u].first);
+        Four seen = {};
+        edges.see_four(box[u].count(), seen);
+        store(rows + row, seen << box[u].first);
     }
 }
 

@@ -54,6 +54,11 @@ class FaceInGrid {
     void add_crossings(RowWindings& windings, std::uint32_t* scratch) {
         // A ray is between the face's ends along both other axes: as those of few small faces are.
         if (int{has_between(axis_x)} + int{has_between(axis_y)} + int{has_between(axis_z)} < 2) return;
+        if (guesses_cost_much && is_small() &&
+            pass_small(last_points_before(extent_.low), last_points_before(extent_.high), windings,
+                       scratch)) {
+            return;
+        }
         pass_all(windings, scratch);
     }
 
@@ -99,11 +104,17 @@ class FaceInGrid {
     IndexRange overlapped(int axis) const {
         return grid_.octants_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
     }
+    // The last reference point before a place along an axis, in the grid or beyond; and along each.
+    [[gnu::always_inline]] std::int32_t last_point_before(const Point& place, int axis) const {
+        const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
+        return (place.at[axis] - 1 - first) >> grid_.shift;
+    }
+    [[gnu::always_inline]] Index last_points_before(const Point& place) const {
+        return {{last_point_before(place, 0), last_point_before(place, 1), last_point_before(place, 2)}};
+    }
     // Whether there are reference points between its ends along an axis, in the grid or beyond.
     [[gnu::always_inline]] bool has_between(int axis) const {
-        const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
-        return (extent_.low.at[axis] - 1 - first) >> grid_.shift !=
-               (extent_.high.at[axis] - 1 - first) >> grid_.shift;
+        return last_point_before(extent_.low, axis) != last_point_before(extent_.high, axis);
     }
     IndexRange between(int axis) const {
         return grid_.points_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
@@ -152,10 +163,9 @@ class FaceInGrid {
     void find_near_rings(std::uint32_t* near_rings) const;
     void find_near_edge(const Point& a, const Point& b, std::uint32_t* near_rings) const;
     void pass_all(RowWindings& windings, std::uint32_t* scratch);
+    bool pass_small(const Index& low, const Index& high, RowWindings& windings, std::uint32_t* scratch);
     void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
               std::uint32_t* scratch);
-    inline void pass_small(const IndexRange& along_y, const IndexRange& along_z, Passages& passages,
-                           std::uint32_t* scratch);
     void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                      std::uint32_t* scratch) const;
     void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,

@@ -27,6 +27,12 @@ inline void set_where_has(Four& result, std::uint32_t bits) {
     result = reinterpret_cast<Four>(((Four{} + bits) & Four{1, 2, 4, 8}) != 0);
 }
 
+/// 0, 1, 2 and 3 times a number.
+inline void set_multiples(Four& result, std::uint32_t number) {
+    const Four once = Four{} + number;
+    result = (once & Four{0, ~0U, 0, ~0U}) + ((once + once) & Four{0, 0, ~0U, ~0U});
+}
+
 /// Four numbers that stand in a row, wherever that begins.
 inline void load(Four& numbers, const std::uint32_t* from) {
     __builtin_memcpy(&numbers, __builtin_assume_aligned(from, alignof(std::uint32_t)), sizeof numbers);

@@ -90,30 +90,56 @@ class FourStairs {
 
   public:
     FourStairs(std::int64_t d, std::int64_t n, std::int64_t by_u, std::int64_t by_v)
-        : along_u_(d, by_u), first_({d, by_v}, n, 0, 0) {}
-
-    void begin_four() {
+        : d_(static_cast<std::uint32_t>(d)), along_u_(Stair::Slope(d, by_u).step) {
+        Stair row({d, by_v}, n, 0, 0);
+        const Stair first = row;
         std::uint32_t values[4];
         std::uint32_t rests[4];
-        for (unsigned k = 0; k < 4; ++k, first_.next()) {
-            values[k] = static_cast<std::uint32_t>(first_.value());
-            rests[k] = static_cast<std::uint32_t>(first_.rest());
+        for (unsigned k = 0; k < 4; ++k, row.next()) {
+            values[k] = static_cast<std::uint32_t>(row.value());
+            rests[k] = static_cast<std::uint32_t>(row.rest());
         }
-        values_ = Four{values[0], values[1], values[2], values[3]};
-        rests_ = Four{rests[0], rests[1], rests[2], rests[3]};
+        first_values_ = Four{values[0], values[1], values[2], values[3]};
+        first_rests_ = Four{rests[0], rests[1], rests[2], rests[3]};
+        const std::int64_t rest = row.rest() - first.rest();
+        const std::int64_t borrowed = rest < 0 ? 0 : 1;
+        to_next_four_ = Step(row.value() - first.value() + borrowed, rest - d * borrowed);
     }
-    void next() {
-        Four below = {};
-        rests_ += static_cast<std::uint32_t>(along_u_.step.rest);
-        set_where_negative(below, rests_);
-        values_ += static_cast<std::uint32_t>(along_u_.step.value) + below;
-        rests_ += static_cast<std::uint32_t>(along_u_.d) & below;
+
+    /// Stands at the first ones of the next four, the first time of the first four.
+    void begin_four() {
+        values_ = first_values_;
+        rests_ = first_rests_;
+        add(to_next_four_, first_values_, first_rests_);
     }
+    void next() { add(along_u_, values_, rests_); }
     const Four& values() const { return values_; }
 
   private:
-    Stair::Slope along_u_;
-    Stair first_; ///< of the next four
+    // From quotient to quotient; the rest is below 0, as one is borrowed beforehand.
+    struct Step {
+        std::uint32_t value;
+        std::uint32_t rest;
+
+        Step() : value(0), rest(0) {}
+        Step(std::int64_t by, std::int64_t left)
+            : value(static_cast<std::uint32_t>(by)), rest(static_cast<std::uint32_t>(left)) {}
+        explicit Step(const Stair::Quotient& step) : Step(step.value, step.rest) {}
+    };
+
+    void add(const Step& step, Four& values, Four& rests) const {
+        Four below = {};
+        rests += step.rest;
+        set_where_negative(below, rests);
+        values += step.value + below;
+        rests += d_ & below;
+    }
+
+    std::uint32_t d_;
+    Step along_u_;
+    Step to_next_four_;
+    Four first_values_ = {}; ///< of the next four
+    Four first_rests_ = {};
     Four values_ = {};
     Four rests_ = {};
 };
@@ -245,8 +271,6 @@ class OverPlane {
         guess_ = stair.floor();
         return stair;
     }
-    /// Four along u that begin there, in rows side by side along v; then the next four.
-    FourStairs four(int u, int v) const { return {along_u_.d, dividend(u, v), by_u_, by_v_}; }
 
   private:
     std::int64_t dividend(int u, int v) const { return n_ + u * by_u_ + v * by_v_; }
