@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <random>
 
-#include "grid/edge_functions.hpp"
+#include "geometry/plane.hpp"
 #include "grid/extent.hpp"
+#include "grid/small_triangle.hpp"
 #include "support/octant_box.hpp"
 
 namespace osem::tests {
@@ -56,9 +57,15 @@ struct TriangleInBox {
         }
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
-    bool is_line() const {
-        const Plane plane(solid(), 0);
-        return plane.normal(0).value() == 0 || plane.normal(1).value() == 0 || plane.normal(2).value() == 0;
+    // Its plane as seen from the first octant's lower corner.
+    SmallPlane small_plane() const {
+        SmallTriangle from_corner = {};
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                from_corner.corners[k][axis] = points[k].at[axis] - grid.corner.at[axis];
+            }
+        }
+        return SmallPlane(from_corner);
     }
     // Whether the triangle is somewhere in a row along x.
     bool has_row(int j, int k) const {
@@ -77,10 +84,11 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
     int looked_at = 0;
     for (int trial = 0; trial < 20000; ++trial) {
         const TriangleInBox triangle(random);
-        if (triangle.is_line()) continue;
+        const SmallPlane small_plane = triangle.small_plane();
+        if (small_plane.is_line_somewhere()) continue;
         const Plane plane(triangle.solid(), 0);
         const auto count = static_cast<std::uint32_t>(triangle.octants[0]);
-        const PlaneFunction function(plane, triangle.grid.corner, triangle.grid.shift, count);
+        const PlaneFunction function(small_plane, triangle.grid.shift, count);
         const std::int32_t length = Extent(triangle.solid(), 0).length(axis_x);
         ++(function.fits((length >> triangle.grid.shift) + 2) ? fitting : others);
         if (!function.fits((length >> triangle.grid.shift) + 2)) continue;
@@ -109,10 +117,30 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
 
 // A triangle as large as there are: its plane's numbers have more than 32 bits.
 TEST(PlaneFunction, DoesNotFitTheLargestNumbers) {
-    const Point points[3] = {{{0, 0, 1}}, {{15 << 15, 3, 2}}, {{5, 15 << 15, 7}}};
-    const std::uint32_t corners[3] = {0, 1, 2};
-    const Solid solid = {points, 3, corners, 3, nullptr, nullptr, 1};
-    EXPECT_FALSE(PlaneFunction(Plane(solid, 0), {{0, 0, 0}}, 15, 15).fits(17));
+    const SmallTriangle triangle = {{{0, 0, 1}, {15 << 15, 3, 2}, {5, 15 << 15, 7}}};
+    EXPECT_FALSE(PlaneFunction(SmallPlane(triangle), 15, 15).fits(17));
+}
+
+// The numbers of a small triangle's plane are those of the face's plane, wherever one looks from.
+TEST(SmallPlane, IsThePlaneOfTheFace) {
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const TriangleInBox triangle(random);
+        const Plane plane(triangle.solid(), 0);
+        const SmallPlane small_plane = triangle.small_plane();
+        EXPECT_EQ(small_plane.value, plane.at(triangle.grid.corner).value());
+        bool is_line = false;
+        bool has_31_bits = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t normal = plane.normal(axis).value();
+            ASSERT_EQ(small_plane.normal[axis], normal);
+            is_line = is_line || normal == 0;
+            has_31_bits = has_31_bits && normal == static_cast<std::int32_t>(normal) && normal != INT32_MIN;
+            EXPECT_EQ(small_plane.sign(axis) < 0, normal < 0);
+        }
+        EXPECT_EQ(small_plane.is_line_somewhere(), is_line);
+        EXPECT_EQ(small_plane.has_31_bits(), has_31_bits);
+    }
 }
 
 } // namespace

@@ -10,39 +10,16 @@ namespace {
 constexpr int least(int a, int b) { return a < b ? a : b; }
 constexpr int greatest(int a, int b) { return a > b ? a : b; }
 
-// Its plane, as seen from the place that its corners are told from: less than 48 octants from any, so below
-// 2^24 along each axis.
-struct SmallPlane {
-    std::int64_t normal[3];
-    std::int64_t value; // at that place
-
-    explicit SmallPlane(const SmallTriangle& triangle) {
-        const auto& [a, b, c] = triangle.corners;
-        const std::int64_t ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-        const std::int64_t vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-        normal[0] = uy * vz - uz * vy;
-        normal[1] = uz * vx - ux * vz;
-        normal[2] = ux * vy - uy * vx;
-        value = -(normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2]);
-    }
-
-    // As FourStairs ask for.
-    bool has_31_bits() const {
-        const auto has = [](std::int64_t number) { return -INT32_MAX <= number && number <= INT32_MAX; };
-        return has(normal[0]) && has(normal[1]) && has(normal[2]);
-    }
-    int turn(int axis) const { return normal[axis] < 0 ? -1 : 1; }
-    // The last points before it on rays along an axis, those beside each other along v: if it is not seen as
-    // a line along that axis.
-    FourStairs last_before(int axis, int u, int v, int shift) const {
-        const std::int64_t sign = turn(axis);
-        int tie = axis_x; // the first component that is not 0 decides about points on the plane
-        while (normal[tie] == 0) ++tie;
-        const std::int64_t nudge = sign * normal[tie] < 0 ? 1 : 0;
-        return {sign * normal[axis], ~((sign * value - nudge) >> shift), -sign * normal[u],
-                -sign * normal[v]};
-    }
-};
+// The last points before the plane on rays along an axis, those beside each other along v: if it is not seen
+// as a line along that axis, and its normal has 31 bits.
+FourStairs last_before(const SmallPlane& plane, int axis, int u, int v, int shift) {
+    const std::int64_t turn = plane.sign(axis);
+    int tie = axis_x; // the first component that is not 0 decides about points on the plane
+    while (plane.normal[tie] == 0) ++tie;
+    const std::int64_t nudge = turn * plane.normal[tie] < 0 ? 1 : 0;
+    return {turn * plane.normal[axis], ~((turn * plane.value - nudge) >> shift), -turn * plane.normal[u],
+            -turn * plane.normal[v]};
+}
 
 // Places behind which there is one more, or one less, as they are found.
 class Places {
@@ -76,9 +53,9 @@ class Places {
 // matter.
 void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const OctantGrid& grid,
                  const IndexRange& y, int z, int fours, RowWindings& windings, std::uint32_t* scratch) {
-    const int turn = plane.turn(axis_x);
+    const int turn = plane.sign(axis_x);
     EdgeFunctions edges(triangle, axis_y, axis_z, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = plane.last_before(axis_x, axis_y, axis_z, grid.shift);
+    FourStairs last = last_before(plane, axis_x, axis_y, axis_z, grid.shift);
     Places places(scratch);
     const auto most = static_cast<std::uint32_t>(grid.side() - 1);
     const std::uint32_t layer = RowWindings::place(grid.row(0, 1), 0);
@@ -104,9 +81,9 @@ void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const O
 // Rays along z, of the first points along x: of a range along y, four beside each other.
 void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const OctantGrid& grid,
                  const IndexRange& y, RowWindings& windings) {
-    const int turn = plane.turn(axis_z);
+    const int turn = plane.sign(axis_z);
     EdgeFunctions edges(triangle, axis_x, axis_y, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = plane.last_before(axis_z, axis_x, axis_y, grid.shift);
+    FourStairs last = last_before(plane, axis_z, axis_x, axis_y, grid.shift);
     for (int j = y.first; j <= y.last; j += 4) {
         Four seen = {};
         edges.see_four(1, seen);

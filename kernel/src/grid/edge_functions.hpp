@@ -1,22 +1,13 @@
-// Triangles that are small in a grid, as seen along an axis of the lattice.
+// A small triangle as seen along an axis of the lattice.
 #ifndef OSEM_GRID_EDGE_FUNCTIONS_HPP
 #define OSEM_GRID_EDGE_FUNCTIONS_HPP
 
 #include <cstdint>
 
 #include "grid/four.hpp"
+#include "grid/small_triangle.hpp"
 
 namespace osem {
-
-/// Where wrong guesses at branches cost much, triangles that are less than so many octants long along each
-/// axis are dealt with apart: each place of a grid in their bounding box is looked at, so that no ends of
-/// edges are to be found, which nobody foresees.
-constexpr std::int32_t small_octants = 16;
-
-/// The corners of such a triangle: how far they are from a place in or beside the box.
-struct SmallTriangle {
-    std::int32_t corners[3][3];
-};
 
 /// What a small triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares:
 /// those where the function of no edge is below 0. A function is linear, so it goes from place to place by
@@ -30,9 +21,8 @@ class EdgeFunctions {
     /// a square's lower corner. Turn: 1 if the corners are seen to turn to the left, -1 to the right; they
     /// must turn.
     EdgeFunctions(const SmallTriangle& triangle, int u, int v, int turn, int shift, Of of)
-        : edges_{Edge(triangle.corners[2], triangle.corners[0], u, v, turn, shift, of),
-                 Edge(triangle.corners[0], triangle.corners[1], u, v, turn, shift, of),
-                 Edge(triangle.corners[1], triangle.corners[2], u, v, turn, shift, of)} {}
+        : EdgeFunctions(triangle.corners[0], triangle.corners[turn > 0 ? 1 : 2],
+                        triangle.corners[turn > 0 ? 2 : 1], u, v, shift, of) {}
 
     /// Goes on to the next four rows, the first time to the first ones, and stands at their first places.
     void begin_four() {
@@ -61,6 +51,8 @@ class EdgeFunctions {
     }
 
   private:
+    using Corner = std::int32_t[3];
+
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
@@ -71,13 +63,10 @@ class EdgeFunctions {
         std::uint32_t by_u;
         std::uint32_t by_four_rows;
 
-        Edge(const std::int32_t (&a)[3], const std::int32_t (&b)[3], int u, int v, int turn, int shift,
-             Of of) {
-            const std::int32_t step_v = turn * (b[u] - a[u]);
-            const std::int32_t step_u = -turn * (b[v] - a[v]);
-            const std::int64_t to_u = -a[u];
-            const std::int64_t to_v = -a[v];
-            const std::int64_t inside = to_u * step_u + to_v * step_v;
+        Edge(const Corner& a, const Corner& b, int u, int v, int shift, Of of) {
+            const std::int32_t step_v = b[u] - a[u];
+            const std::int32_t step_u = a[v] - b[v];
+            const std::int64_t inside = std::int64_t{a[u]} * b[v] - std::int64_t{a[v]} * b[u];
             std::int64_t at = 0;
             if (of == Of::points) {
                 // Without a branch: 1 less where step_u is below 0, or it is 0 and step_v is below 0.
@@ -93,6 +82,9 @@ class EdgeFunctions {
             now = value;
         }
     };
+
+    EdgeFunctions(const Corner& a, const Corner& b, const Corner& c, int u, int v, int shift, Of of)
+        : edges_{Edge(a, b, u, v, shift, of), Edge(b, c, u, v, shift, of), Edge(c, a, u, v, shift, of)} {}
 
     Edge edges_[3];
 };

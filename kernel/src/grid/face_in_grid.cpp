@@ -1,7 +1,5 @@
 #include "grid/face_in_grid.hpp"
 
-#include "grid/edge_functions.hpp"
-#include "grid/plane_function.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
@@ -27,18 +25,6 @@ bool FaceInGrid::is_convex() {
         turns += turn > 0 ? 1 : turn < 0 ? -1 : 0;
     }
     return turns == 4 || turns == -4;
-}
-
-FaceInGrid::Ranges FaceInGrid::ranges() const {
-    Ranges range = {{overlapped(0), overlapped(1), overlapped(2)}, 0};
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::int32_t low = grid_.corner.at[axis] + (range[axis].first << grid_.shift);
-        if (range[axis].first == range[axis].last && extent_.low.at[axis] >= low &&
-            extent_.high.at[axis] <= low + grid_.length()) {
-            range.within |= 1U << axis;
-        }
-    }
-    return range;
 }
 
 // Squares of the grid as seen along an axis, those that a face is seen to meet: a range along u for each slab
@@ -172,62 +158,8 @@ class PassedOctants {
     return band.floor() < 0 && band.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
-// A word for each row of the box as seen along an axis, and for some more up to a multiple of four: which
-// squares of it the triangle is seen to meet.
-inline void FaceInGrid::see_small(const SmallTriangle& triangle, int u, int v, const IndexRange (&box)[3],
-                                  std::uint32_t* rows) {
-    const int turn = turn_of(plane(), axis_x + axis_y + axis_z - u - v);
-    EdgeFunctions edges(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares);
-    for (std::uint32_t row = 0; row < box[v].count(); row += 4) {
-        Four seen = {};
-        edges.see_four(box[u].count(), seen);
-        store(rows + row, seen << box[u].first);
-    }
-}
-
-// By the same separating axes, each row and slab of the box from its first one on. Of rows along x four go
-// side by side: so the box begins where there are as many to the grid's end. False, and nothing marked, if
-// the triangle is seen as a line, or its plane's numbers are too large.
-inline bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch) {
-    static_assert(last_grid_space(4) >= 3 * 16 && last_grid_space(5) >= 3 * (small_octants + 4),
-                  "room for what is seen, in fours of rows");
-    for (int axis = 0; axis < 3; ++axis) {
-        if (plane().normal(axis).value() == 0) return false;
-    }
-    const IndexRange box[3] = {range[0], {first_of_four(range[1].first), range[1].last}, range[2]};
-    const Point from = grid_.at(box[0].first, box[1].first, box[2].first);
-    const PlaneFunction plane_in_box(plane(), from, grid_.shift, box[0].count());
-    if (!plane_in_box.fits((extent_.length(axis_x) >> grid_.shift) + 2)) return false;
-    std::uint32_t* const x_by_y = scratch;
-    std::uint32_t* const x_by_z = x_by_y + box[1].count();
-    std::uint32_t* const y_by_z = x_by_z + box[2].count();
-    const SmallTriangle triangle = small_triangle(from);
-    see_small(triangle, axis_x, axis_y, box, x_by_y); // in this order, as each writes behind its rows
-    see_small(triangle, axis_x, axis_z, box, x_by_z);
-    see_small(triangle, axis_y, axis_z, box, y_by_z);
-    const std::uint32_t all_y = range[1].bits();
-    for (std::uint32_t k = 0; k < box[2].count(); ++k) {
-        for (std::uint32_t left = y_by_z[k] & all_y; left != 0;) {
-            const int first = first_of_four(static_cast<int>(lowest_of(left)));
-            const auto row = static_cast<std::uint32_t>(first - box[1].first);
-            std::uint32_t* const to = rows + grid_.row(first, box[2].first + static_cast<int>(k));
-            Four passed = {};
-            plane_in_box.see_four(row, k, passed);
-            Four in_y = {};
-            set_where_has(in_y, left >> first);
-            Four in_x = {};
-            load(in_x, x_by_y + row);
-            Four marked = {};
-            load(marked, to);
-            store(to, marked | (passed << box[0].first & x_by_z[k] & in_y & in_x));
-            left &= ~(std::uint32_t{15} << first);
-        }
-    }
-    return true;
-}
-
-void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
-    const Ranges range = ranges();
+void FaceInGrid::mark_many(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch,
+                           std::uint32_t* near_rings) {
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
     if (guesses_cost_much && is_small() && mark_small(range, rows, scratch)) return;
@@ -281,9 +213,9 @@ void FaceInGrid::mark_all(const Ranges& range, std::uint32_t* rows) const {
     }
 }
 
-std::uint64_t FaceInGrid::octants_of_many(std::uint32_t* scratch) {
+std::uint64_t FaceInGrid::octants_of_many(const Ranges& range, std::uint32_t* scratch) {
     for (int row = 0; row < grid_.rows(); ++row) scratch[row] = 0;
-    mark_many(scratch, scratch + 16, nullptr);
+    mark_many(range, scratch, scratch + 16, nullptr);
     return as_mask(scratch, grid_.levels);
 }
 

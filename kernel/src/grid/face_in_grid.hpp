@@ -27,9 +27,9 @@ class FaceInGrid {
 
     /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + last_grid_space(levels).
     std::uint64_t octants_met(std::uint32_t* scratch) {
-        Index index = {};
-        if (is_in_one(index)) return std::uint64_t{1} << (index.at[0] + 4 * index.at[1] + 16 * index.at[2]);
-        return octants_of_many(scratch);
+        const Ranges range = ranges();
+        if (!range.is_one(is_triangle())) return octants_of_many(range, scratch);
+        return std::uint64_t{1} << (range[0].first + 4 * range[1].first + 16 * range[2].first);
     }
 
     /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
@@ -39,11 +39,11 @@ class FaceInGrid {
     /// `near_rings`, which may be null, of those near a ring and of one for each range of a row between them.
     /// Scratch: last_grid_space(levels).
     void mark(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
-        Index index = {};
-        if (is_in_one(index)) {
-            rows[grid_.row(index.at[1], index.at[2])] |= std::uint32_t{1} << index.at[0];
+        const Ranges range = ranges();
+        if (range.is_one(is_triangle())) {
+            rows[grid_.row(range[1].first, range[2].first)] |= std::uint32_t{1} << range[0].first;
         } else {
-            mark_many(rows, scratch, near_rings);
+            mark_many(range, rows, scratch, near_rings);
         }
     }
 
@@ -77,22 +77,22 @@ class FaceInGrid {
         const IndexRange& operator[](int axis) const { return along[axis]; }
         bool is_within(int axis) const { return (within >> axis & 1U) != 0; }
         bool is_within_two() const { return within == 3 || within >= 5; }
+        // Whether it meets one octant and lies between its sides. A triangle has its inner points there;
+        // longer rings may have none.
+        bool is_one(bool is_triangle) const { return is_triangle && within == 7; }
     };
-    Ranges ranges() const;
-    // Whether it meets one octant and lies between its sides. A triangle has its inner points there; longer
-    // rings may have none.
-    bool is_in_one(Index& index) const {
-        std::int32_t differing = end_ - corners_ == 3 ? 0 : 1;
+    [[gnu::always_inline]] Ranges ranges() const {
+        Ranges range = {};
         for (int axis = 0; axis < 3; ++axis) {
             const std::int32_t first = (extent_.low.at[axis] - grid_.corner.at[axis]) >> grid_.shift;
             const std::int32_t last = (extent_.high.at[axis] - 1 - grid_.corner.at[axis]) >> grid_.shift;
-            differing |= first ^ last;
-            index.at[axis] = first;
+            range.along[axis] = {clipped(first, 0, grid_.side()), clipped(last, -1, grid_.side() - 1)};
+            range.within |= (first == last ? 1U : 0U) << axis;
         }
-        OSEM_ASSERT(differing != 0 || (index.at[0] | index.at[1] | index.at[2]) >> grid_.levels == 0);
-        return differing == 0;
+        return range;
     }
-    std::uint64_t octants_of_many(std::uint32_t* scratch);
+    bool is_triangle() const { return end_ - corners_ == 3; }
+    std::uint64_t octants_of_many(const Ranges& range, std::uint32_t* scratch);
     // Its plane is made when it is asked for first: most faces do without.
     const Plane& plane() {
         if (!has_plane_) plane_ = Plane(solid_, corners_, end_);
@@ -100,10 +100,6 @@ class FaceInGrid {
         return plane_;
     }
     bool is_convex();
-    // It must reach beyond both ends of an open interval.
-    IndexRange overlapped(int axis) const {
-        return grid_.octants_between(axis, extent_.low.at[axis], extent_.high.at[axis]);
-    }
     // The last reference point before a place along an axis, in the grid or beyond; and along each.
     [[gnu::always_inline]] std::int32_t last_point_before(const Point& place, int axis) const {
         const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
@@ -125,13 +121,14 @@ class FaceInGrid {
         const int sign = plane.normal(axis).sign();
         return axis == axis_y ? -sign : sign; // (x, z) is left-handed
     }
-    void mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings);
+    void mark_many(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch,
+                   std::uint32_t* near_rings);
     void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
     // Whether it is a small triangle, in a grid that has four rows beside each other.
     bool is_small() const {
         const std::int32_t lengths = extent_.length(axis_x) | extent_.length(axis_y) | extent_.length(axis_z);
-        return end_ - corners_ == 3 && grid_.levels >= 2 && lengths >> grid_.shift < small_octants;
+        return is_triangle() && grid_.levels >= 2 && lengths >> grid_.shift < small_octants;
     }
     [[gnu::always_inline]] SmallTriangle small_triangle(const Point& from) const {
         const auto to = [this, &from](unsigned corner, int axis) {
@@ -140,11 +137,7 @@ class FaceInGrid {
         return {
             {{to(0, 0), to(0, 1), to(0, 2)}, {to(1, 0), to(1, 1), to(1, 2)}, {to(2, 0), to(2, 1), to(2, 2)}}};
     }
-    // The first of four rows of the grid that a row is among: itself, if three more stand behind it.
-    int first_of_four(int row) const { return row < grid_.side() - 4 ? row : grid_.side() - 4; }
-    inline bool mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch);
-    inline void see_small(const SmallTriangle& triangle, int u, int v, const IndexRange (&box)[3],
-                          std::uint32_t* rows);
+    bool mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch) const;
     void mark_all(const Ranges& range, std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
     void add_edges(int u, int v, bool rising_right, Slabs& slabs) const;

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "geometry/plane.hpp"
 #include "grid/four.hpp"
+#include "grid/small_triangle.hpp"
 
 namespace osem {
 
@@ -16,10 +16,9 @@ namespace osem {
 /// by side, modulo 2^32: numbers fit where the triangle could be met, and elsewhere do not matter.
 class PlaneFunction {
   public:
-    /// For rows of 1 to 32 octants, from one on.
-    PlaneFunction(const Plane& plane, const Point& corner, int shift, std::uint32_t octants)
-        : PlaneFunction(plane.at(corner).value(), plane.normal(0).value(), plane.normal(1).value(),
-                        plane.normal(2).value(), shift, octants) {}
+    /// For rows of 1 to 32 octants, from the one on to whose lower corner the plane's value belongs.
+    PlaneFunction(const SmallPlane& plane, int shift, std::uint32_t octants)
+        : PlaneFunction(plane.value, plane.normal[0], plane.normal[1], plane.normal[2], shift, octants) {}
 
     /// Whether numbers do fit for the octants of rows that hold a point of the plane to which each octant's
     /// lower corner is nearer than so many octants along x. The greatest value is then at most so many times
@@ -58,8 +57,8 @@ class PlaneFunction {
         const std::int64_t greatest = ((at_corner - 1) >> shift) + rise;
         const std::int64_t end = rise_and_fall_ + ((at_corner - 1) >> shift) - (at_corner >> shift);
         end_ = static_cast<std::uint32_t>(end) + least;
-        at_last_ = static_cast<std::uint32_t>(greatest) + (octants - 1) * by_x_ + least +
-                   Four{0, by_row_, 2 * by_row_, 3 * by_row_};
+        set_multiples(at_last_, by_row_);
+        at_last_ += static_cast<std::uint32_t>(greatest) + (octants - 1) * by_x_ + least;
     }
 
     static std::int64_t up(std::int64_t step) { return step > 0 ? step : 0; }
