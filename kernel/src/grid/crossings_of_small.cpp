@@ -12,7 +12,8 @@ constexpr int greatest(int a, int b) { return a > b ? a : b; }
 
 // The last points before the plane on rays along an axis, those beside each other along v: if it is not seen
 // as a line along that axis, and its normal has 31 bits.
-FourStairs last_before(const SmallPlane& plane, int axis, int u, int v, int shift) {
+[[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int u, int v,
+                                                     int shift) {
     const std::int64_t turn = plane.sign(axis);
     int tie = axis_x; // the first component that is not 0 decides about points on the plane
     while (plane.normal[tie] == 0) ++tie;
