@@ -7,12 +7,14 @@
 
 #include "bench/osem_conversion.hpp"
 #include "bench/scanline.hpp"
+#include "bench/simple_scanline.hpp"
 
 namespace osem::bench {
 
 namespace {
 
-// Ends the program unless the centre tree, the runs and the bits are one set of cells; returns their number.
+// Ends the program unless the centre tree, both scanlines' runs and the bits are one set of cells; returns
+// their number.
 std::uint64_t agreed_cells(const std::string& name, int depth, const std::string& what) {
     const BenchSolid& solid = solid_of(name);
     const Octree& tree = conversion_of(name, depth, LeafRule::centre).tree();
@@ -21,6 +23,11 @@ std::uint64_t agreed_cells(const std::string& name, int depth, const std::string
     Scanline scanline;
     RunGrid runs;
     scanline.convert(solid.solid.vertices, solid.triangles, depth, runs);
+    SimpleScanline simple;
+    RunGrid simple_runs;
+    simple.convert(solid.solid.vertices, solid.triangles, depth, simple_runs);
+    require(simple_runs.starts == runs.starts && simple_runs.boundaries == runs.boundaries,
+            what + ": other runs by the simple scanline");
     BitGrid bits;
     fill_bits(runs, bits);
     const std::uint64_t cells = measures.inner_volume / volume_at(depth);

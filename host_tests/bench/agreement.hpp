@@ -15,7 +15,7 @@ void require(bool holds, const std::string& message);
 
 /// What the methods make of a solid at a depth. Cells are leaves at full depth.
 struct Agreement {
-    std::uint64_t cells;          ///< whose centre is inside: octree, runs and bits agree
+    std::uint64_t cells;          ///< whose centre is inside: octree, both scanlines and bits agree
     std::uint64_t inner_cells;    ///< inside throughout
     std::uint64_t boundary_cells; ///< which a face meets
 };
@@ -26,8 +26,8 @@ struct BitGrid;
 BitGrid bits_of(const Octree& tree, int depth);
 
 /// Converts by every exact method, once for each solid and depth; ends the program where they differ: the
-/// centre tree, the runs and the bits must be the same cells, one by one, and their number must lie between
-/// those of the inner and the outer solid of the conservative tree.
+/// centre tree, both scanlines' runs and the bits must be the same cells, one by one, and their number must
+/// lie between those of the inner and the outer solid of the conservative tree.
 const Agreement& agreement_on(const std::string& solid, int depth);
 
 } // namespace osem::bench

@@ -1,9 +1,10 @@
-// Conversion: Osem's two kinds of leaves, by grids and plain, and the two scanlines.
+// Conversion: Osem's two kinds of leaves, by grids and plain, and the scanlines.
 #include "bench/suites.hpp"
 
 #include "bench/agreement.hpp"
 #include "bench/osem_conversion.hpp"
 #include "bench/scanline.hpp"
+#include "bench/simple_scanline.hpp"
 
 namespace osem::bench {
 
@@ -41,10 +42,11 @@ void run_plain(benchmark::State& state, const std::string& solid, int depth, Lea
     state.counters["octants"] = static_cast<double>(conversion.job().octants_visited());
 }
 
+template <class AnyScanline>
 void run_scanline(benchmark::State& state, const std::string& name, int depth, bool as_bits) {
     static_cast<void>(agreement_on(name, depth));
     const BenchSolid& solid = solid_of(name);
-    Scanline scanline;
+    AnyScanline scanline;
     RunGrid runs;
     BitGrid bits;
     const auto run = [&] {
@@ -66,8 +68,10 @@ void add_conversions(const std::string& solid, int depth) {
     const auto add = [&name](const char* method, auto run) {
         benchmark::RegisterBenchmark((name + method).c_str(), run)->Unit(benchmark::kMillisecond);
     };
-    add("scan-runs", [=](benchmark::State& state) { run_scanline(state, solid, depth, false); });
-    add("scan-bits", [=](benchmark::State& state) { run_scanline(state, solid, depth, true); });
+    add("scan-runs", [=](benchmark::State& state) { run_scanline<Scanline>(state, solid, depth, false); });
+    add("scan-bits", [=](benchmark::State& state) { run_scanline<Scanline>(state, solid, depth, true); });
+    add("scan-simple",
+        [=](benchmark::State& state) { run_scanline<SimpleScanline>(state, solid, depth, false); });
     add("osem-centre", [=](benchmark::State& state) { run_grids(state, solid, depth, LeafRule::centre); });
     add("osem-three",
         [=](benchmark::State& state) { run_grids(state, solid, depth, LeafRule::conservative); });

@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from targets import PAIR  # noqa: E402
 
 STYLE = {
-    "scan-runs": ("black", "o"), "scan-bits": ("grey", "s"), "osem-centre": ("tab:blue", "o"),
+    "scan-runs": ("black", "o"), "scan-bits": ("grey", "s"), "scan-simple": ("grey", "x"), "osem-centre": ("tab:blue", "o"),
     "osem-three": ("tab:cyan", "s"), "plain-centre": ("tab:blue", "x"), "plain-three": ("tab:cyan", "x"),
     "vdb-fill": ("tab:red", "^"),
 }

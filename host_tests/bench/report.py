@@ -10,7 +10,7 @@ from plots import draw
 from targets import judged
 
 METHODS = {
-    "convert": ["scan-runs", "scan-bits", "osem-centre", "osem-three", "plain-centre",
+    "convert": ["scan-runs", "scan-bits", "scan-simple", "osem-centre", "osem-three", "plain-centre",
                 "plain-three", "vdb-fill"],
     "threads": ["threads-1", "threads-2", "threads-4", "threads-8"],
     "union": ["runs", "osem-pool", "osem-stream", "osem-stream-checked", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
@@ -36,7 +36,9 @@ operands.
 - `osem-centre`, `osem-three`: octrees by grids, centre leaves or three-valued ones; `plain-*`: octant by octant. `osem-pool`,
   `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB); `osem-stream-checked`: of
   streams that were checked before.
-- `scan-runs`, `scan-bits`: the scanline's rows of runs, and a bit a cell of them; `runs`: their Booleans.
+- `scan-runs`, `scan-bits`: the scanline's rows of runs, and a bit a cell of them; `runs`: their Booleans. It has been made fast;
+  `scan-simple` is what one writes first, to the same runs: each row of a triangle's bounding box against its three edges, a division
+  a crossing.
 - `vdb-fill`: OpenVDB's meshToVolume and interior mask; `vdb-topology`: Booleans of masks of the exact cells; `vdb-csg`: of level
   sets; `cgal`: corefinement of the meshes.
 

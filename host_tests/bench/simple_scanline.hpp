@@ -1,4 +1,4 @@
-// The simplest scanline that is exact: sixty lines that do without an octree.
+// The simplest scanline that is exact.
 #ifndef OSEM_BENCH_SIMPLE_SCANLINE_HPP
 #define OSEM_BENCH_SIMPLE_SCANLINE_HPP
 

@@ -38,6 +38,11 @@ def conversion_targets(found):
                    ratio(convert(solid, cells, "osem-centre"), runs))
             yield (f"three-valued, {solid} at {cells}: time, to the runs scanline's", "<=", 2.5, "x",
                    ratio(convert(solid, cells, "osem-three"), runs))
+            simple = convert(solid, cells, "scan-simple")
+            yield (f"centre, {solid} at {cells}: time, to the simple scanline's", "<=", 1.0, "x",
+                   ratio(convert(solid, cells, "osem-centre"), simple))
+            yield (f"three-valued, {solid} at {cells}: time, to the simple scanline's", "<=", 2.5, "x",
+                   ratio(convert(solid, cells, "osem-three"), simple))
         yield (f"OpenVDB, {solid} at 1024: time, to ours with centre leaves", ">=", 50, "x",
                ratio(convert(solid, 1024, "vdb-fill"), convert(solid, 1024, "osem-centre")))
     yield "a face smaller than a leaf, at 1024", "<=", 100, "ns", ns_a_small_face(found)
