@@ -8,6 +8,7 @@
 
 #include "osem/lattice.hpp"
 #include "osem/node_pool.hpp"
+#include "osem/preorder_path.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"
 
@@ -61,17 +62,17 @@ class StreamBuilder {
     void flush_pending(int end);
     void end_child();
     void close_full();
-    void put(std::uint32_t codes, unsigned count);
-    void end_word(std::uint32_t next);
+    void put(Codes codes, unsigned count);
+    void end_word(Codes next);
     void write_buffer();
     void write(const std::uint8_t* bytes, std::size_t count);
 
     Sink sink_ = {};
     StreamHeader header_ = {};
     std::uint64_t nodes_ = 0;
-    std::uint32_t bits_ = 0;
+    Codes bits_ = 0; ///< the word that is being filled
     std::uint32_t crc_ = 0;
-    unsigned used_ = 0; ///< bits of bits_ in use, fewer than 32 between calls
+    unsigned used_ = 0; ///< bits of it in use; not all, between calls
     unsigned filled_ = 0;
     int level_ = 0;
     int pending_ = 0;               ///< the open octants from this level on are kept back

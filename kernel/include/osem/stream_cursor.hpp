@@ -112,7 +112,8 @@ class StreamCursor {
     Status status_ = Status::unfinished;
     std::uint8_t level_ = 0;
     bool done_ = true;
-    std::uint8_t buffer_[4 + 64 + 8] = {}; ///< what is left, what is read, and what a look ahead may touch
+    std::uint8_t buffer_[4 + 64 + 1 + sizeof(void*)] =
+        {}; ///< what is left, what is read, and what a look ahead may touch
 };
 
 // In line: calls would be a tenth of the instructions of a Boolean.

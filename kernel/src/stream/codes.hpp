@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include "osem/node_pool.hpp"
+#include "osem/preorder_path.hpp"
 #include "tree/zeros.hpp"
 
 namespace osem {
@@ -18,22 +18,26 @@ namespace osem {
            std::uint32_t{bytes[3]} << 24;
 }
 
-/// The other way round: one store where there are unaligned ones, which compilers for ARM do not see in four.
-inline void put_word(std::uint8_t* bytes, std::uint32_t word) {
+/// The other way round, as much as a register holds: one store where there are unaligned ones, which
+/// compilers for ARM do not see in four.
+inline void put_word(std::uint8_t* bytes, Codes word) {
     struct [[gnu::packed, gnu::may_alias]] Unaligned {
-        std::uint32_t word;
+        Codes word;
     };
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    word = __builtin_bswap32(word);
+    if constexpr (sizeof word == 8) {
+        word = __builtin_bswap64(word);
+    } else {
+        word = __builtin_bswap32(static_cast<std::uint32_t>(word));
+    }
 #endif
     reinterpret_cast<Unaligned*>(bytes)->word = word;
 }
 
-/// As many codes as a register holds.
-using Codes = std::conditional_t<sizeof(void*) == 8, std::uint64_t, std::uint32_t>;
-
-/// Bytes that codes_at reads.
+/// Bytes that codes_at reads, and the bits and codes that they hold.
 constexpr unsigned codes_size = sizeof(Codes);
+constexpr unsigned codes_bits = 8 * codes_size;
+constexpr unsigned codes_count = 4 * codes_size;
 
 /// Codes that are in the buffer of a stream behind each at which one may go on: seven leaves, a grey octant
 /// and its children.
@@ -52,11 +56,6 @@ constexpr unsigned codes_ahead = 16;
 [[gnu::always_inline]] inline Codes all_codes_at(const std::uint8_t* bytes, unsigned bit) {
     const Codes last = bytes[bit / 8 + codes_size];
     return codes_at(bytes, bit) | last << (8 * codes_size - 8) << (8 - bit % 8);
-}
-
-/// Sixteen codes from a bit on.
-[[gnu::always_inline]] inline std::uint32_t sixteen_codes_at(const std::uint8_t* bytes, unsigned bit) {
-    return static_cast<std::uint32_t>(codes_size == 8 ? codes_at(bytes, bit) : all_codes_at(bytes, bit));
 }
 
 /// The lower bit of each code that is grey's.
@@ -140,8 +139,10 @@ class CodeGroups {
 
 /// Codes of the complement, as many as there are: `may` is the even bits, `must` the odd ones, those of a
 /// complement are (~must, ~may), and grey stays grey.
-constexpr std::uint32_t complemented(std::uint32_t codes) {
-    return ~((codes & 0x55555555U) << 1 | (codes >> 1 & 0x55555555U));
+template <class Bits>
+constexpr Bits complemented(Bits codes) {
+    constexpr auto evens = static_cast<Bits>(0x5555555555555555U);
+    return ~((codes & evens) << 1 | (codes >> 1 & evens));
 }
 
 /// The bits of a mask, each two places from the one before.

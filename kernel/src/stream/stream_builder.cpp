@@ -1,6 +1,5 @@
 #include "osem/stream_builder.hpp"
 
-#include "osem/preorder_path.hpp"
 #include "stream/codes.hpp"
 #include "stream/crc.hpp"
 #include "stream/header.hpp"
@@ -102,12 +101,19 @@ void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count,
                          bool inverted) {
     nodes_ += nodes;
     if (!writing_) return;
-    for (;; at += 16, count -= 16) {
-        std::uint32_t codes = sixteen_codes_at(bytes, 2 * at);
+    const unsigned used = used_;
+    Codes bits = bits_; // in a register, while words are stored
+    for (;; at += codes_count, count -= codes_count) {
+        Codes codes = all_codes_at(bytes, 2 * at);
         if (inverted) codes = complemented(codes);
-        if (count < 16) return put(codes & ((1U << (2 * count)) - 1U), count);
-        bits_ |= codes << used_;
-        end_word(codes >> 1 >> (31 - used_));
+        if (count < codes_count) {
+            bits_ = bits;
+            return put(codes & ((Codes{1} << (2 * count)) - 1), count);
+        }
+        put_word(buffer_ + filled_, bits | codes << used);
+        bits = codes >> 1 >> (codes_bits - 1 - used);
+        filled_ += codes_size;
+        if (filled_ == sizeof buffer_) write_buffer();
     }
 }
 
@@ -125,21 +131,21 @@ void StreamBuilder::end_child() {
     if (level_ == 0 || ++children_[level_ - 1] == 8) close_full();
 }
 
-// Fewer than 16 codes.
-void StreamBuilder::put(std::uint32_t codes, unsigned count) {
+// Fewer codes than a word holds.
+void StreamBuilder::put(Codes codes, unsigned count) {
     if (!writing_) return;
     bits_ |= codes << used_;
     used_ += 2 * count;
-    if (used_ < 32) return;
-    used_ -= 32;
+    if (used_ < codes_bits) return;
+    used_ -= codes_bits;
     end_word(codes >> (2 * count - used_));
 }
 
 // The word is full, and another one begins.
-void StreamBuilder::end_word(std::uint32_t next) {
+void StreamBuilder::end_word(Codes next) {
     put_word(buffer_ + filled_, bits_);
     bits_ = next;
-    filled_ += 4;
+    filled_ += codes_size;
     if (filled_ == sizeof buffer_) write_buffer();
 }
 

@@ -11,7 +11,8 @@ namespace {
 bool read_memory(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count) {
     const std::uint8_t* from = static_cast<const std::uint8_t*>(context) + offset;
     const std::uint8_t* const end = from + count;
-    for (; end - from >= 4; from += 4, bytes += 4) put_word(bytes, word_at(from));
+    constexpr auto size = static_cast<std::ptrdiff_t>(codes_size);
+    for (; end - from >= size; from += size, bytes += size) put_word(bytes, codes_at(from, 0));
     while (from != end) *bytes++ = *from++;
     return true;
 }
