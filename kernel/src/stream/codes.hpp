@@ -107,34 +107,40 @@ class CodeGroups {
     explicit CodeGroups(Codes codes) {
         constexpr auto twos = static_cast<Codes>(0x3333333333333333U);
         constexpr auto fours = static_cast<Codes>(0x0f0f0f0f0f0f0f0fU);
-        constexpr auto bytes = static_cast<Codes>(0x0101010101010101U);
         Codes found = grey_codes(codes);
         found = (found + (found >> 2)) & twos;
         found = (found + (found >> 4)) & fours;
-        greys_ = (found * bytes) >> 8 & ones * 0xffU;
+        greys_ = found * (ones | ones << 8);
     }
 
     /// How many of the first `ready` groups end what so many are to come of, each grey code one more: all, if
-    /// they do not. Precondition: to_come is in [1, 2^14]; of a tree's codes there are never more groups to
+    /// they do not. Precondition: to_come is in [1, 96]; of a tree's codes there are never more groups to
     /// come than octants open, 20.
     unsigned to_end(std::uint32_t to_come, unsigned ready) const {
-        const Codes left = greys_ + ones * to_come - static_cast<Codes>(0x0004000300020001U);
-        Codes ends = (left - ones) & ~left & ones << 15;
+        Codes ends = ends_of(to_come);
         if (ends == 0) return ready;
         unsigned end = 1;
         for (ends >>= 15; (ends & 1U) == 0; ends >>= 16) ++end;
         return end < ready ? end : ready;
     }
 
+    /// Whether any of all groups ends it.
+    bool any_ends(std::uint32_t to_come) const { return ends_of(to_come) != 0; }
+
     /// Grey codes of the first `groups`, at least one.
     unsigned greys(unsigned groups) const {
-        return static_cast<unsigned>(greys_ >> (16 * (groups - 1)) & 0xffffU);
+        return static_cast<unsigned>(greys_ >> (16 * groups - 8) & 0xffU);
     }
 
   private:
     static constexpr auto ones = static_cast<Codes>(0x0001000100010001U);
 
-    Codes greys_; ///< of the first group, of the first two, and so on
+    // What is to come behind each group, less one, in its upper byte: of that the sign.
+    Codes ends_of(std::uint32_t to_come) const {
+        return (greys_ + (ones << 8) * to_come - static_cast<Codes>(0x0500040003000200U)) & ones << 15;
+    }
+
+    Codes greys_; ///< in the upper byte of each group: of the first one, of the first two, and so on
 };
 
 /// Codes of the complement, as many as there are: `may` is the even bits, `must` the odd ones, those of a

@@ -153,14 +153,17 @@ Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsig
     const unsigned in_byte = at % 4; // the place of each group's first code
     const std::uint8_t* from = bytes + at / 4;
     const std::uint8_t* const end = bytes + (limit - in_byte + 3) / 4;
-    unsigned ready = CodeGroups::count;
     std::uint32_t nodes = 0;
     std::uint32_t coming = to_come == 0 ? 1 : to_come;
     do {
-        if (end - from <= more) ready = codes_ahead / 8;
         const CodeGroups groups(all_codes_at(from, 2 * in_byte));
-        const unsigned taken = groups.to_end(coming, ready);
-        const unsigned greys = groups.greys(taken);
+        const bool all = end - from > more;
+        unsigned taken = CodeGroups::count;
+        unsigned greys = groups.greys(taken);
+        if (!wide || !all || groups.any_ends(coming)) { // else one of many turns that need no more
+            taken = groups.to_end(coming, all ? CodeGroups::count : codes_ahead / 8);
+            greys = groups.greys(taken);
+        }
         from += std::size_t{2} * taken;
         nodes += greys;
         coming += greys - taken;
