@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "osem/checksum.hpp"
 #include "osem/octree.hpp"
 #include "osem/preorder_path.hpp"
 #include "osem/tree_builder.hpp"
@@ -141,7 +142,7 @@ class StreamReader {
     PreorderPath path_;
     StreamHeader header_ = {};
     std::uint64_t position_ = 0; ///< of the next byte, or of the fault
-    std::uint32_t crc_ = 0;
+    Checksum checksum_;
     std::uint32_t crc_read_ = 0;
     Status status_ = Status::unfinished; ///< until begun
     bool has_header_ = false;

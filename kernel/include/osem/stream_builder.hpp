@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "osem/checksum.hpp"
 #include "osem/lattice.hpp"
 #include "osem/node_pool.hpp"
 #include "osem/preorder_path.hpp"
@@ -71,7 +72,7 @@ class StreamBuilder {
     StreamHeader header_ = {};
     std::uint64_t nodes_ = 0;
     Codes bits_ = 0; ///< the word that is being filled
-    std::uint32_t crc_ = 0;
+    Checksum checksum_;
     unsigned used_ = 0; ///< bits of it in use; not all, between calls
     unsigned filled_ = 0;
     int level_ = 0;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "osem/checksum.hpp"
 #include "osem/lattice.hpp"
 #include "osem/node_pool.hpp"
 #include "osem/preorder_path.hpp"
@@ -64,7 +65,7 @@ class StreamCursor {
 
     /// The checksum of the payload read so far; of a walk to the end it is the stream's own. Of a checked
     /// source it is 0 until then.
-    std::uint32_t checksum() const { return crc_; }
+    std::uint32_t checksum() const { return checksum_.value(); }
 
   private:
     friend class StreamCombination;
@@ -103,7 +104,7 @@ class StreamCursor {
     PreorderPath path_;
     std::uint64_t loaded_ = 0; ///< the stream's bytes up to here have been read
     std::uint64_t offset_ = 0; ///< of a fault, or of the end
-    std::uint32_t crc_ = 0;
+    Checksum checksum_;
     unsigned at_ = 0;           ///< the next code in the buffer
     unsigned limit_ = 0;        ///< before this one, what a look ahead needs is in the buffer
     unsigned filled_ = 0;       ///< bytes of the buffer

@@ -7,13 +7,6 @@ namespace osem {
 
 namespace {
 
-// A remainder's lowest `bits` bits are shifted out: what that leaves of them.
-// unreachable: at run time, as the compiler makes the table.
-constexpr std::uint32_t shifted_out(std::uint32_t remainder, unsigned bits) {
-    for (; bits > 0; --bits) remainder = (remainder >> 1) ^ ((remainder & 1U) != 0 ? 0xedb88320U : 0U);
-    return remainder;
-}
-
 #if OSEM_FAST_CRC
 
 // Eight bytes at once: entry [k][b] is what byte b leaves when k more bytes have gone by.

@@ -3,7 +3,6 @@
 #include "osem/stream_builder.hpp"
 #include "stream/code_runs.hpp"
 #include "stream/codes.hpp"
-#include "stream/crc.hpp"
 #include "stream/header.hpp"
 
 namespace osem {
@@ -26,7 +25,7 @@ void StreamReader::begin(NodePool* pool) {
     builder_.begin(pool);
     header_ = StreamHeader{};
     position_ = 0;
-    crc_ = 0;
+    checksum_ = Checksum();
     crc_read_ = 0;
     status_ = Status::ok;
     has_header_ = false;
@@ -89,7 +88,7 @@ void StreamReader::take_header_byte(std::uint8_t byte) {
 
 // Bytes of the payload, to the last code that is whole in them.
 void StreamReader::take_payload(const std::uint8_t* bytes, std::size_t count) {
-    crc_ = crc_append(crc_, bytes, count);
+    checksum_.append(bytes, count);
     std::size_t taken = 0;
     std::uint32_t codes = 0;
     unsigned ready = 0;
@@ -165,7 +164,7 @@ void StreamReader::close_to(int level) {
 
 void StreamReader::take_trailer_byte(std::uint8_t byte) {
     crc_read_ |= static_cast<std::uint32_t>(byte) << (8 * (stream_trailer_size - trailer_left_));
-    if (--trailer_left_ == 0 && crc_read_ != crc_) {
+    if (--trailer_left_ == 0 && crc_read_ != checksum_.value()) {
         position_ -= stream_trailer_size - 1;
         fail(Status::stream_payload_damaged);
     }

@@ -1,7 +1,6 @@
 #include "osem/stream_builder.hpp"
 
 #include "stream/codes.hpp"
-#include "stream/crc.hpp"
 #include "stream/header.hpp"
 
 namespace osem {
@@ -9,7 +8,7 @@ namespace osem {
 void StreamBuilder::restart() {
     nodes_ = 0;
     bits_ = 0;
-    crc_ = 0;
+    checksum_ = Checksum();
     used_ = 0;
     filled_ = 0;
     level_ = 0;
@@ -151,7 +150,7 @@ void StreamBuilder::end_word(Codes next) {
 
 // In small pieces, so that a sink may be a slow one.
 void StreamBuilder::write_buffer() {
-    crc_ = crc_append(crc_, buffer_, filled_);
+    checksum_.append(buffer_, filled_);
     write(buffer_, filled_);
     filled_ = 0;
 }
@@ -168,7 +167,7 @@ Status StreamBuilder::finish() {
     filled_ += used_ / 8 + 1; // 8n + 1 codes: the last byte holds one
     write_buffer();
     std::uint8_t bytes[stream_header_size];
-    put_number(bytes, crc_);
+    put_number(bytes, checksum_.value());
     write(bytes, stream_trailer_size);
     if (taken_ && sink_.replace != nullptr) {
         // unreachable: by a test in reasonable time, as it takes a stream of gigabytes.

@@ -1,7 +1,6 @@
 #include "osem/stream_cursor.hpp"
 
 #include "stream/codes.hpp"
-#include "stream/crc.hpp"
 #include "stream/header.hpp"
 
 namespace osem {
@@ -42,7 +41,7 @@ Status StreamCursor::begin(const Source& source) {
     header_ = StreamHeader{};
     path_.begin(1, 0); // before the root: a header that is refused has no other
     level_ = 0;
-    crc_ = 0;
+    checksum_ = Checksum();
     at_ = 0;
     limit_ = 0;
     filled_ = 0;
@@ -101,7 +100,7 @@ bool StreamCursor::load() {
         fail(Status::source_failed, loaded_);
         return false;
     }
-    if (!source_.checked) crc_ = crc_append(crc_, buffer_ + kept, count);
+    if (!source_.checked) checksum_.append(buffer_ + kept, count);
     filled_ += count;
     loaded_ += count;
     limit_ = 4 * filled_ + 1 - (loaded_ == end ? 0 : codes_ahead);
@@ -197,8 +196,8 @@ void StreamCursor::end() {
         return fail(Status::source_failed, loaded_);
     }
     const auto checksum = get_number<std::uint32_t>(bytes);
-    if (source_.checked) crc_ = checksum;
-    if (checksum != crc_) return fail(Status::stream_payload_damaged, loaded_);
+    if (source_.checked) checksum_ = Checksum(checksum);
+    if (checksum != checksum_.value()) return fail(Status::stream_payload_damaged, loaded_);
     offset_ = source_.size;
     done_ = true;
 }
