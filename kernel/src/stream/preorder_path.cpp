@@ -151,23 +151,30 @@ Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsig
     // In a turn that takes all groups there are so many bytes more in the buffer than behind each code.
     constexpr std::ptrdiff_t more = (8 * CodeGroups::count - codes_ahead) / 4;
     const unsigned in_byte = at % 4; // the place of each group's first code
-    const std::uint8_t* from = bytes + at / 4;
+    const std::uint8_t* const begin = bytes + at / 4;
     const std::uint8_t* const end = bytes + (limit - in_byte + 3) / 4;
+    const std::uint8_t* from = begin;
     std::uint32_t nodes = 0;
     std::uint32_t coming = to_come == 0 ? 1 : to_come;
-    do {
-        const CodeGroups groups(all_codes_at(from, 2 * in_byte));
-        const bool all = end - from > more;
-        unsigned taken = CodeGroups::count;
-        unsigned greys = groups.greys(taken);
-        if (!wide || !all || groups.any_ends(coming)) { // else one of many turns that need no more
-            taken = groups.to_end(coming, all ? CodeGroups::count : codes_ahead / 8);
-            greys = groups.greys(taken);
+    if constexpr (wide) { // nearly every turn takes all groups, so those that do have a loop to themselves
+        while (end - from > more && nodes < most) {
+            const CodeGroups groups(all_codes_at(from, 2 * in_byte));
+            if (groups.any_ends(coming)) break;
+            const unsigned greys = groups.greys(CodeGroups::count);
+            from += codes_size;
+            nodes += greys;
+            coming += greys - CodeGroups::count;
         }
+    }
+    bool goes_on = from == begin || (nodes < most && from < end);
+    for (; goes_on; goes_on = coming != 0 && nodes < most && from < end) {
+        const CodeGroups groups(all_codes_at(from, 2 * in_byte));
+        const unsigned taken = groups.to_end(coming, end - from > more ? CodeGroups::count : codes_ahead / 8);
+        const unsigned greys = groups.greys(taken);
         from += std::size_t{2} * taken;
         nodes += greys;
         coming += greys - taken;
-    } while (coming != 0 && nodes < most && from < end);
+    }
     at = 4 * static_cast<unsigned>(from - bytes) + in_byte;
     to_come = coming;
     nodes_left_ -= nodes;
