@@ -93,6 +93,19 @@ bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
     return true;
 }
 
+// A stream that lies in memory, or one that must be read.
+struct Place {
+    Place(const Bytes& bytes, bool checked, bool read) : reader(bytes) {
+        reader.checked = checked;
+        source = read ? reader.source() : source_of(bytes, checked);
+    }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    TestSource reader;
+    Source source;
+};
+
 TEST(StreamSubtree, UnevenTreesByEveryOperator) {
     StreamCombination job;
     std::size_t read = 0;
@@ -105,12 +118,13 @@ TEST(StreamSubtree, UnevenTreesByEveryOperator) {
         const int depth = std::max(a.depth, b.depth);
         for (const Operator op : all_operators) {
             const Bytes expected = Sample{combined(op, a.part, b.part), depth}.bytes();
-            for (const unsigned checked : {0U, 1U, 2U, 3U}) { // neither, either, both
+            for (const unsigned way : {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}) { // checked: neither, either, both
                 Bytes result;
-                const Source source_a = source_of(bytes_a, checked % 2 != 0);
-                const Source source_b = source_of(bytes_b, checked / 2 != 0);
-                ASSERT_EQ(combine(job, op, source_a, source_b, Sink{append, &result}).status, Status::ok);
-                ASSERT_EQ(result, expected) << seed << ", checked " << checked;
+                const Place from_a(bytes_a, way % 2 != 0, way / 4 != 0);
+                const Place from_b(bytes_b, way / 2 % 2 != 0, way / 4 != 0);
+                ASSERT_EQ(combine(job, op, from_a.source, from_b.source, Sink{append, &result}).status,
+                          Status::ok);
+                ASSERT_EQ(result, expected) << seed << ", way " << way;
             }
         }
         const Part black = {Colour::black, {}};
@@ -122,6 +136,22 @@ TEST(StreamSubtree, UnevenTreesByEveryOperator) {
         }
     }
     EXPECT_GT(read, 100000U) << "the samples are hardly more than leaves";
+}
+
+// More than goes by at once where it lies in memory.
+TEST(StreamSubtree, ALargeTreeBesideALeaf) {
+    std::mt19937 random(12);
+    StreamCombination job;
+    const Bytes bytes = Sample{grey_part(6, 12, three_colours, random), 6}.bytes();
+    ASSERT_GT(bytes.size(), 10000U);
+    const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
+    for (const unsigned way : {0U, 1U, 2U, 3U}) {
+        const Place from(bytes, way % 2 != 0, way / 2 != 0);
+        Bytes result;
+        ASSERT_EQ(combine(job, Operator::unite, from.source, source_of(leaf), Sink{append, &result}).status,
+                  Status::ok);
+        EXPECT_EQ(result, bytes) << way;
+    }
 }
 
 TEST(StreamSubtree, EveryLeafBesideATree) {
@@ -210,15 +240,16 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
         const Bytes expected = Sample{combined(op, a.part, b.part), std::max(a.depth, b.depth)}.bytes();
         const std::size_t most_octants = 2 * (colours_of(a.part).size() + colours_of(b.part).size());
         for (const std::uint32_t octants : {1U, 2U, 3U, 7U, 40U}) {
-            for (const bool checked : {false, true}) {
+            for (const unsigned way : {0U, 1U, 2U, 3U}) {
+                const bool checked = way % 2 != 0;
+                const Place from_a(bytes_a, checked, way / 2 != 0);
+                const Place from_b(bytes_b, checked, way / 2 != 0);
                 Bytes result;
-                ASSERT_EQ(job.begin(op, source_of(bytes_a, checked), source_of(bytes_b, checked),
-                                    Sink{append, &result}),
-                          Status::ok);
+                ASSERT_EQ(job.begin(op, from_a.source, from_b.source, Sink{append, &result}), Status::ok);
                 expect_exact_progress(job, octants, volumes, most_octants, checked);
                 EXPECT_EQ(job.finish().status, Status::ok);
                 EXPECT_EQ(job.decided_volume(), root_volume);
-                EXPECT_EQ(result, expected) << seed << ", checked " << checked;
+                EXPECT_EQ(result, expected) << seed << ", way " << way;
             }
         }
     }

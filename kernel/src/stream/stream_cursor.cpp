@@ -18,6 +18,16 @@ bool read_memory(void* context, std::uint64_t offset, std::uint8_t* bytes, std::
 
 constexpr unsigned read_size = 64;
 
+// Where codes need not be read to be passed: the one before which that is so, of those from byte `first` of
+// the stream on; else 0. A word and a byte may be looked at from each code passed, or the one behind.
+unsigned limit_in_memory(const Source& source, std::uint64_t first) {
+    constexpr std::uint64_t most = 4096; // bytes at once
+    constexpr unsigned least = codes_ahead / 4 + codes_size + 1;
+    if (codes_size != 8 || !source.checked || source.read != read_memory) return 0;
+    const std::uint64_t left = source.size - first;
+    return left < least ? 0 : 4 * (static_cast<unsigned>(left < most ? left : most) - least) + 1;
+}
+
 } // namespace
 
 Source memory_source(const std::uint8_t* bytes, std::size_t size) {
@@ -164,17 +174,31 @@ void StreamCursor::next_or_leaves() {
 }
 
 // Goes on below the octant of level `floor`, by what is in the buffer and at most `most` grey octants; by one
-// or to the end of that octant in any case. Precondition: it is open.
+// or to the end of that octant in any case. Precondition: it is open. What is checked and lies in memory is
+// passed there, if registers have 64 bits, and the buffer goes on behind it.
 StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
     Passage passage = {buffer_, 0, 0, 0};
     if (!is_ready()) return passage;
     passage.at = at_;
     passage.nodes = path_.nodes_left_;
-    const Status status = source_.checked ? path_.take_checked(buffer_, at_, limit_, most, to_come_)
-                                          : path_.take_buffered(buffer_, at_, limit_, floor, most);
+    unsigned limit = limit_;
+    const unsigned limit_there = limit_in_memory(source_, loaded_ - filled_);
+    const bool in_memory = limit_there > limit_;
+    if (in_memory) {
+        passage.bytes = static_cast<const std::uint8_t*>(source_.context) + (loaded_ - filled_);
+        limit = limit_there;
+    }
+    const Status status = source_.checked ? path_.take_checked(passage.bytes, at_, limit, most, to_come_)
+                                          : path_.take_buffered(buffer_, at_, limit, floor, most);
     if (status != Status::ok) fail(status, byte_of(at_ - 1));
     passage.codes = at_ - passage.at;
     passage.nodes -= path_.nodes_left_;
+    if (in_memory && at_ >= limit_) {
+        const unsigned behind = at_ / 4 > filled_ ? at_ / 4 - filled_ : 0;
+        loaded_ += behind;
+        filled_ += behind;
+        load();
+    }
     return passage;
 }
 
