@@ -102,8 +102,9 @@ void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count,
     if (!writing_) return;
     const unsigned used = used_;
     Codes bits = bits_; // in a register, while words are stored
-    for (;; at += codes_count, count -= codes_count) {
-        Codes codes = all_codes_at(bytes, 2 * at);
+    const unsigned in_byte = 2 * (at % 4);
+    for (bytes += at / 4;; bytes += codes_size, count -= codes_count) {
+        Codes codes = all_codes_at(bytes, in_byte);
         if (inverted) codes = complemented(codes);
         if (count < codes_count) {
             bits_ = bits;
