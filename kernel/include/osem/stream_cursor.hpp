@@ -93,7 +93,7 @@ class StreamCursor {
     void arrive();
     void pass_leaves();
     void step_back();
-    std::uint32_t look() const;
+    inline std::uint32_t look() const;
     inline void take(std::uint32_t next, bool known);
     Passage pass(int floor, std::uint32_t most);
     void end();

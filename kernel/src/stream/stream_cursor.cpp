@@ -130,21 +130,6 @@ void StreamCursor::arrive() {
 
 void StreamCursor::next() { path_.whole() ? end() : arrive(); }
 
-// The octant that is next: the codes of its children, for a leaf its own eight times, and what is known of
-// it. It is hidden where it is not in the buffer, where there is none, and where it must be refused.
-std::uint32_t StreamCursor::look() const {
-    const unsigned left = path_.left_[path_.level_];
-    if (left == 0 || at_ >= limit_) return hidden_bit;
-    const auto codes = static_cast<std::uint32_t>(codes_at(buffer_, 2 * at_));
-    if ((codes & 3U) != static_cast<unsigned>(Colour::grey)) {
-        return left == 1 && !path_.may_end() ? hidden_bit : (codes & 3U) * 0x5555U | known_bit;
-    }
-    if (!path_.may_open()) return hidden_bit;
-    const auto below = static_cast<std::uint16_t>(codes >> 2);
-    if (!eight_leaves(grey_codes(below))) return below | grey_bit;
-    return below | (eight_alike(below) ? grey_bit | alike_bit : grey_bit | known_bit);
-}
-
 // Back before the octant at which it stands, which next() will meet again.
 void StreamCursor::step_back() {
     --at_;
