@@ -7,6 +7,7 @@
 #include "osem/boolean.hpp"
 #include "osem/boundary.hpp"
 #include "osem/bounded.hpp"
+#include "osem/checksum.hpp"
 #include "osem/classify.hpp"
 #include "osem/cluster_walk.hpp"
 #include "osem/collide.hpp"
