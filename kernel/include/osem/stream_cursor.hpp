@@ -113,8 +113,8 @@ class StreamCursor {
     Status status_ = Status::unfinished;
     std::uint8_t level_ = 0;
     bool done_ = true;
-    std::uint8_t buffer_[4 + 64 + 1 + sizeof(void*)] =
-        {}; ///< what is left, what is read, and what a look ahead may touch
+    /// What is left, what is read, and what a look ahead may touch.
+    std::uint8_t buffer_[4 + 64 + sizeof(Codes) + 1] = {};
 };
 
 // In line: calls would be a tenth of the instructions of a Boolean.
