@@ -5,6 +5,7 @@
 #include "grid/face_in_grid.hpp"
 #include "grid/leaves.hpp"
 #include "grid/placed_faces.hpp"
+#include "grid/set_zero.hpp"
 #include "tree/masks.hpp"
 #include "tree/run_to_end.hpp"
 
@@ -277,9 +278,7 @@ void GridConversion::visit_last(const Entry& entry) {
     const std::uint32_t behind = list_end + (three_valued ? rows : 0) + last_grid_space(last_levels_);
     if (!reserve(list_end, behind - list_end)) return overflow();
     std::uint32_t* const met = three_valued ? scratch_ + list_end + last_grid_space(last_levels_) : nullptr;
-    if (three_valued) {
-        for (std::uint32_t row = 0; row < rows; ++row) met[row] = 0;
-    }
+    if (three_valued) set_zero(met, rows);
     RowWindings windings(scratch_ + behind, room_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
     const auto meet = [&](std::uint32_t number) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "grid/set_zero.hpp"
 #include "grid/stair.hpp"
 #include "osem/convert.hpp"
 
@@ -26,7 +27,7 @@ class RowWindings {
           planes_(rule == WindingRule::odd ? 1 : 2) {
         overflowed_ = words_used() > room_;
         if (overflowed_) return;
-        for (std::uint32_t word = 0; word < words_used(); ++word) words[word] = 0;
+        set_zero(words, words_used());
     }
 
     /// Whether the memory was too small: the numbers mean nothing then. If it is so from the beginning
