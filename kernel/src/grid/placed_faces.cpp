@@ -40,12 +40,15 @@ FacePlaces places_of(const Solid& solid, std::uint32_t face, const Extent& exten
     return places;
 }
 
-// Counts, and then puts each face where those with its digit belong, the one that was there next.
-std::uint64_t PlacedFaces::sort(const Range& range, const Digit& digit, std::uint32_t* space) const {
+// Counts, and then puts each face where those with its digit belong; the one that was there comes to its
+// place and is left for the next time. Each time half of those that are left find their places at least, and
+// no step waits for another, as it would if the one that was there were always the next one.
+std::uint64_t PlacedFaces::sort(const Range& range, const Digit& sorted_by, std::uint32_t* space) const {
+    const Digit digit = sorted_by;         // a compiler cannot know that no word below is part of it
     std::uint32_t* const next = space;     // the first place of each digit's that is not taken
     std::uint32_t* const end = space + 64; // behind its places
     for (std::uint32_t value = 0; value <= digit.greatest; ++value) end[value] = 0;
-    for (std::uint32_t i = range.first; i != range.end; ++i) ++end[digit.of(octant(i))];
+    for (std::uint32_t i = range.first, behind = range.end; i != behind; ++i) ++end[digit.of(octant(i))];
     std::uint64_t present = 0;
     std::uint32_t places = range.first;
     for (std::uint32_t value = 0; value <= digit.greatest; ++value) {
@@ -54,16 +57,18 @@ std::uint64_t PlacedFaces::sort(const Range& range, const Digit& digit, std::uin
         places += end[value];
         end[value] = places;
     }
-    for (std::uint32_t value = 0; value <= digit.greatest; ++value) {
-        while (next[value] != end[value]) {
-            std::uint32_t* const here = at(next[value]);
-            const std::uint32_t belongs = digit.of(*here);
-            std::uint32_t* const there = at(next[belongs]++);
-            for (std::uint32_t word = 0; word < words; ++word) {
-                const std::uint32_t other = there[word];
-                there[word] = here[word];
-                here[word] = other;
+    for (bool are_left = true; are_left;) {
+        are_left = false;
+        for (std::uint32_t value = 0; value <= digit.greatest; ++value) {
+            const std::uint32_t last = end[value];
+            for (std::uint32_t i = next[value]; i != last; ++i) {
+                const std::uint32_t moved_octant = octant(i);
+                const std::uint32_t moved_face = face(i);
+                std::uint32_t* const there = at(next[digit.of(moved_octant)]++);
+                put(at(i), there[0], there[1]);
+                put(there, moved_octant, moved_face);
             }
+            are_left = are_left || next[value] != last;
         }
     }
     return present;

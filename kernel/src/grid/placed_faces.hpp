@@ -52,6 +52,10 @@ struct PlacedFaces {
 
     std::uint32_t octant(std::uint32_t i) const { return at(i)[0]; }
     std::uint32_t face(std::uint32_t i) const { return at(i)[1]; }
+    static void put(std::uint32_t* place, std::uint32_t octant, std::uint32_t face) {
+        place[0] = octant;
+        place[1] = face;
+    }
 
     /// Sorts a range by a digit; the set of those that there are. Cost: O(range). Space: words_to_sort.
     std::uint64_t sort(const Range& range, const Digit& digit, std::uint32_t* space) const;
