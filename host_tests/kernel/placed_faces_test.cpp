@@ -1,4 +1,5 @@
-// Faces that are placed from the beginning, against a classification of each octant; and how they are sorted.
+// Faces that are placed from the beginning, against a classification of each octant, or ways between leaves'
+// centres; and how they are sorted.
 #include "grid/placed_faces.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "classify/crossing.hpp"
+#include "grid/last_octants.hpp"
 #include "osem/classify.hpp"
 #include "support/small_solids.hpp"
 
@@ -17,17 +19,83 @@ namespace osem::tests {
 
 namespace {
 
-Octant octant_at(const LastOctants& octants, std::uint32_t number) {
-    Octant octant = octants.octant;
-    for (int level = octants.levels - 1; level >= 0; --level)
-        octant = octant.child(number >> (3 * level) & 7U);
-    return octant;
+// Octants that last grids divide into 2^leaf_levels leaves along each axis.
+struct DividedOctants {
+    Octant octant;
+    int levels;
+    int leaf_levels;
+    LeafRule leaves;
+
+    std::uint32_t count() const { return 1U << (3 * levels); }
+    std::int32_t side() const { return octant.side() >> levels; }
+    std::int32_t leaf() const { return side() >> leaf_levels; }
+    std::int32_t offset() const { return leaves == LeafRule::centre ? leaf() / 2 : 0; }
+    Octant at(std::uint32_t number) const {
+        Octant result = octant;
+        for (int level = levels - 1; level >= 0; --level) result = result.child(number >> (3 * level) & 7U);
+        return result;
+    }
+    Point reference(std::uint32_t number) const {
+        Point point = at(number).corner;
+        for (std::int32_t& coordinate : point.at) coordinate += offset();
+        return point;
+    }
+    LastOctants last() const {
+        const int leaf_shift = lattice_bits - octant.level - levels - leaf_levels;
+        return LastOctants(octant, levels, leaves == LeafRule::centre ? leaf_shift : 0, offset());
+    }
+};
+
+// Whether a face lies on a way along an axis from one reference point of an octant's leaves to the next.
+bool is_on_ways_between_leaves(const Solid& view, const DividedOctants& octants, std::uint32_t number) {
+    const Point first = octants.reference(number);
+    const std::int32_t leaf = octants.leaf();
+    const int last = (1 << octants.leaf_levels) - 1;
+    for (int i = 0; i <= last; ++i) {
+        for (int j = 0; j <= last; ++j) {
+            for (int k = 0; k <= last; ++k) {
+                const int indices[3] = {i, j, k};
+                const Point from = {{first.x() + i * leaf, first.y() + j * leaf, first.z() + k * leaf}};
+                for (const Axis axis : {axis_x, axis_y, axis_z}) {
+                    if (indices[axis] < last && crossing(view, 0, from, axis, leaf) != 0) return true;
+                }
+            }
+        }
+    }
+    return false;
 }
 
-Point reference_of(const Octant& octant, std::int32_t offset) {
-    Point point = octant.corner;
-    for (std::int32_t& coordinate : point.at) coordinate += offset;
-    return point;
+// The octants in which a face, which is all of a solid, has an effect.
+std::vector<std::uint32_t> octants_with_effect(const SmallSolid& solid, const DividedOctants& octants) {
+    std::vector<std::uint32_t> numbers;
+    const Extent extent(solid.view(), 0);
+    for (std::uint32_t number = 0; number < octants.count(); ++number) {
+        const Octant octant = octants.at(number);
+        bool near = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t corner = octant.corner.at[axis];
+            near = near && extent.low.at[axis] <= corner + octant.side() && extent.high.at[axis] >= corner;
+        }
+        const auto has_effect = [&] {
+            return octants.leaves == LeafRule::centre
+                       ? is_on_ways_between_leaves(solid.view(), octants, number)
+                       : classify(solid.vouched(), 0, octant).meets;
+        };
+        if (near && has_effect()) numbers.push_back(number);
+    }
+    return numbers;
+}
+
+bool is_on_ways_between_octants(const Solid& view, const DividedOctants& octants) {
+    const Point& low = octants.octant.corner;
+    for (std::uint32_t number = 0; number < octants.count(); ++number) {
+        for (const Axis axis : {axis_x, axis_y, axis_z}) {
+            const std::int32_t next = octants.at(number).corner.at[axis] + octants.side();
+            if (next == low.at[axis] + octants.octant.side()) continue;
+            if (crossing(view, 0, octants.reference(number), axis, octants.side()) != 0) return true;
+        }
+    }
+    return false;
 }
 
 // A triangle of about so many octants' sides, its corners often on their borders.
@@ -50,56 +118,108 @@ SmallSolid triangle(std::mt19937& random, const Octant& near, double sides) {
     return solid;
 }
 
-std::uint64_t trials_placed(const LastOctants& octants, std::mt19937& random) {
-    const std::uint32_t count = 1U << (3 * octants.levels);
-    const auto any = [&] { return std::uniform_int_distribution<std::uint32_t>(0, count - 1)(random); };
+struct Trials {
     std::uint64_t placed = 0;
-    for (int trial = 0; trial < 3000; ++trial) {
-        const SmallSolid solid = triangle(random, octant_at(octants, any()), trial % 2 == 0 ? 0.2 : 0.7);
-        const Solid view = solid.view();
-        const FacePlaces places = places_of(view, 0, Extent(view, 0), octants);
-        if (places.count == 0) continue;
-        ++placed;
-        std::vector<std::uint32_t> met;
-        for (std::uint32_t number = 0; number < count; ++number) {
-            const Octant octant = octant_at(octants, number);
-            if (classify(solid.vouched(), 0, octant).meets) met.push_back(number);
-            const Point reference = reference_of(octant, octants.offset);
-            for (const Axis axis : {axis_x, axis_y, axis_z}) {
-                EXPECT_EQ(crossing(view, 0, reference, axis, octant.side()), 0)
-                    << "on the way to the next one";
-            }
-        }
-        std::vector<std::uint32_t> found(places.octants, places.octants + places.count);
-        std::sort(found.begin(), found.end());
-        EXPECT_EQ(found, met) << trial;
+    std::uint64_t without_effect = 0;
+    std::uint64_t on_way = 0;
+};
+
+void try_face(const SmallSolid& solid, const DividedOctants& octants, Trials& trials) {
+    const Solid view = solid.view();
+    const FacePlaces places = octants.last().places_of(view, 0);
+    Point start = octants.reference(0);
+    const std::int32_t length = start.x() + 1;
+    start.at[axis_x] = -1;
+    const bool is_on_way = crossing(view, 0, start, axis_x, length) != 0;
+    EXPECT_TRUE(places.is_on_way || !is_on_way);
+    trials.on_way += is_on_way ? 1 : 0;
+    if (places.has_effect && places.count == 0) return;
+    ++(places.has_effect ? trials.placed : trials.without_effect);
+    EXPECT_FALSE(is_on_ways_between_octants(view, octants));
+    std::vector<std::uint32_t> found(places.octants, places.octants + places.count);
+    std::sort(found.begin(), found.end());
+    const std::vector<std::uint32_t> needed = octants_with_effect(solid, octants);
+    if (octants.leaves == LeafRule::centre) {
+        EXPECT_TRUE(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
+    } else {
+        EXPECT_EQ(found, needed);
     }
-    return placed;
 }
 
-TEST(PlacedFaces, MeetTheirOctantsAndNoWayBetweenReferencePoints) {
+Trials try_faces(const DividedOctants& octants, std::mt19937& random) {
+    Trials trials;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const auto near = std::uniform_int_distribution<std::uint32_t>(0, octants.count() - 1)(random);
+        try_face(triangle(random, octants.at(trial % 5 == 0 ? 0 : near), trial % 2 == 0 ? 0.2 : 0.7), octants,
+                 trials);
+    }
+    return trials;
+}
+
+TEST(PlacedFaces, HaveNoEffectElsewhere) {
     std::mt19937 random(5);
     const Octant apart = root_octant.child(6).child(1);
+    std::uint64_t on_way = 0;
     for (const Octant& octant : {root_octant, apart}) {
         for (const int levels : {1, 2, 3}) {
-            const std::int32_t side = octant.side() >> levels;
-            for (const std::int32_t offset : {0, side / 2, side / 64}) {
-                EXPECT_GT(trials_placed({octant, levels, offset}, random), 500U);
-            }
+            const Trials met = try_faces({octant, levels, 2, LeafRule::conservative}, random);
+            EXPECT_GT(met.placed, 300U);
+            const Trials passed = try_faces({octant, levels, 2, LeafRule::centre}, random);
+            EXPECT_GT(passed.placed, 300U);
+            EXPECT_GT(passed.without_effect, 100U);
+            on_way += met.on_way + passed.on_way;
         }
     }
+    EXPECT_GT(on_way, 20U);
+}
+
+TEST(PlacedFaces, AreInOneOctantIfOnlyThereCentresArePassed) {
+    const auto places_of = [](const Polygon& corners, LeafRule leaves) {
+        SmallSolid solid;
+        solid.add_face({corners});
+        const DividedOctants octants = {root_octant, 2, 3, leaves};
+        return octants.last().places_of(solid.view(), 0);
+    };
+    const std::int32_t side = root_side / 4;
+    const std::int32_t leaf = side / 8;
+    const std::int32_t z = 3 * leaf;
+    const Polygon behind = {
+        {{side - leaf / 3, leaf, z}}, {{side + leaf, leaf, z + 5}}, {{side, 3 * leaf, z}}};
+    EXPECT_EQ(places_of(behind, LeafRule::conservative).count, 2U);
+    const FacePlaces second = places_of(behind, LeafRule::centre);
+    EXPECT_EQ(second.count, 1U);
+    EXPECT_EQ(second.octants[0], 1U);
+    const Polygon before = {
+        {{side + leaf / 3, leaf, z}}, {{side - leaf, leaf, z + 5}}, {{side, 3 * leaf, z}}};
+    const FacePlaces first = places_of(before, LeafRule::centre);
+    EXPECT_EQ(first.count, 1U);
+    EXPECT_EQ(first.octants[0], 0U);
+    const Polygon both = {{{side + leaf, leaf, z}}, {{side - leaf, leaf, z + 5}}, {{side, 3 * leaf, z}}};
+    EXPECT_EQ(places_of(both, LeafRule::centre).count, 2U);
+    const Polygon narrow = {{{side + 1, leaf, z}}, {{side - 1, leaf, z + 5}}, {{side, 3 * leaf, z}}};
+    EXPECT_FALSE(places_of(narrow, LeafRule::centre).has_effect) << "it passes centres along y alone";
+    EXPECT_EQ(places_of(narrow, LeafRule::conservative).count, 2U);
+    const Polygon between = {{{side + 1, leaf, z}}, {{side - 1, leaf, 2 * z}}, {{side, 3 * leaf, z}}};
+    EXPECT_EQ(places_of(between, LeafRule::centre).count, 0U) << "the centres beside it are in two octants";
+    EXPECT_TRUE(places_of(between, LeafRule::centre).has_effect);
 }
 
 TEST(PlacedFaces, OthersAreNotPlaced) {
+    const auto places_of = [](const SmallSolid& solid, const Octant& octant, int levels) {
+        return LastOctants(octant, levels, 0, 0).places_of(solid.view(), 0);
+    };
     const SmallSolid tiny = octahedron_solid(Octahedron{{{5, 5, 5}}, 2});
-    const Solid view = tiny.view();
-    EXPECT_EQ(places_of(view, 0, Extent(view, 0), {root_octant, 10, 0}).count, 1U);
-    EXPECT_EQ(places_of(view, 0, Extent(view, 0), {root_octant, 11, 0}).count, 0U) << "of 33 bits";
-    EXPECT_EQ(places_of(view, 0, Extent(view, 0), {root_octant, 0, 0}).count, 0U) << "there is one list";
-    EXPECT_EQ(places_of(view, 0, Extent(view, 0), {root_octant.child(7), 3, 0}).count, 0U) << "elsewhere";
+    EXPECT_EQ(places_of(tiny, root_octant, 10).count, 1U);
+    EXPECT_EQ(places_of(tiny, root_octant, 11).count, 0U) << "of 33 bits";
+    EXPECT_TRUE(places_of(tiny, root_octant, 11).has_effect);
+    EXPECT_EQ(places_of(tiny, root_octant, 0).count, 0U) << "there is one list";
+    EXPECT_TRUE(places_of(tiny, root_octant, 0).has_effect);
+    EXPECT_EQ(places_of(tiny, root_octant.child(7), 3).count, 0U) << "elsewhere";
+    EXPECT_FALSE(places_of(tiny, root_octant.child(7), 3).has_effect);
     SmallSolid quadrangle;
     quadrangle.add_face({{{{1, 1, 1}}, {{5, 1, 2}}, {{5, 5, 3}}, {{1, 5, 2}}}});
-    EXPECT_EQ(places_of(quadrangle.view(), 0, Extent(quadrangle.view(), 0), {root_octant, 2, 0}).count, 0U);
+    EXPECT_EQ(places_of(quadrangle, root_octant, 2).count, 0U);
+    EXPECT_TRUE(places_of(quadrangle, root_octant, 2).has_effect);
 }
 
 TEST(PlacedFaces, AreSortedByDigits) {

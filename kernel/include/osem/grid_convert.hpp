@@ -9,6 +9,8 @@
 
 namespace osem {
 
+struct FacePlaces;
+
 /// The last grid may divide an octant into 2^5 octants along each axis, or fewer.
 constexpr int most_grid_levels = 5;
 
@@ -28,14 +30,14 @@ constexpr std::uint32_t last_grid_space(int last_levels) { return last_levels < 
 
 /// Words of scratch that are always enough. The faces that meet an octant are a list: of one word each where
 /// a last grid divides it, otherwise of three words each and 64 behind them (the innermost one 128).
-/// Triangles of which it is known beforehand that they meet one or two of the octants that last grids divide
-/// are in no list, but take two words for each of these, throughout. A last grid takes four words (with
-/// centre leaves three) for each of its 4^last_levels rows, 48 (or 72, of 5 levels) beside them, and one more
-/// a row each time that what winding numbers in a row differ by from its first one outgrows a power of two
-/// from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4168 words for 32 x 32
-/// rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are mostly enough.
-/// In 64 bits, so that what exceeds the greatest scratch, 2^32 - 1 words, is told and not cut off.
-/// Preconditions: depth is in [1, 20], last_levels in [1, 5].
+/// Triangles of which it is known beforehand that they matter in one or two of the octants that last grids
+/// divide are in no list, but take two words for each of these, throughout. A last grid takes four words
+/// (with centre leaves three) for each of its 4^last_levels rows, 48 (or 72, of 5 levels) beside them, and
+/// one more a row each time that what winding numbers in a row differ by from its first one outgrows a power
+/// of two from 2 on. As a rule it does not, and a list is as long as what meets its octant: 4168 words for 32
+/// x 32 rows, 64 for each grid above, about 3.5 a face (2.2 of a fine mesh) and 100 are mostly enough. In 64
+/// bits, so that what exceeds the greatest scratch, 2^32 - 1 words, is told and not cut off. Preconditions:
+/// depth is in [1, 20], last_levels in [1, 5].
 constexpr std::uint64_t grid_scratch(const Solid& solid, int depth, int last_levels = most_grid_levels) {
     const int last = last_levels < depth ? last_levels : depth;
     const auto grids = static_cast<std::uint64_t>(nested_grids(upper_levels(depth, last)));
@@ -129,7 +131,7 @@ class GridConversion {
         std::int32_t winding; ///< number of its reference point
     };
     bool enter_root(Entry& entry);
-    bool list_or_place(std::uint32_t face, const std::uint32_t* octants, std::uint32_t count, Entry& root);
+    bool list_or_place(std::uint32_t face, const FacePlaces& places, Entry& root);
     bool enter_next(Entry& entry);
     void visit(const Entry& entry);
     void open_child(Frame& frame, unsigned child);

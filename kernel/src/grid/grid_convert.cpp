@@ -3,6 +3,7 @@
 #include "classify/crossing.hpp"
 #include "grid/each_face.hpp"
 #include "grid/face_in_grid.hpp"
+#include "grid/last_octants.hpp"
 #include "grid/leaves.hpp"
 #include "grid/placed_faces.hpp"
 #include "grid/set_zero.hpp"
@@ -121,39 +122,34 @@ bool GridConversion::enter_root(Entry& entry) {
     for (int axis = 1; axis < 3; ++axis) start.at[axis] += offset();
     entry = Entry{octant_.corner, 0, 0, 0, 0, 0};
     const std::int32_t length = octant_.corner.x() + offset() + 1;
-    const LastOctants last = {octant_, levels_above(), offset()};
-    for (std::uint32_t face = 0; face < solid_.face_count; ++face) {
-        const Extent extent(solid_, face);
-        bool overlaps = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int32_t corner = octant_.corner.at[axis];
-            overlaps = overlaps && extent.overlaps(axis, corner, corner + octant_.side());
-        }
-        if (overlaps) {
-            const FacePlaces places = places_of(solid_, face, extent, last);
-            if (!list_or_place(face, places.octants, places.count, entry)) {
-                overflow();
-                return false;
-            }
-        }
-        if (!extent.has(axis_y, start.y()) || !extent.has(axis_z, start.z())) continue;
-        entry.winding += crossing(solid_, face, start, axis_x, length);
-    }
+    const bool centres = options_.leaves == LeafRule::centre;
+    const LastOctants last(octant_, levels_above(), centres ? lattice_bits - options_.depth : 0, offset());
+    const Solid solid = solid_; // a compiler cannot know that no word of scratch is part of it
+    bool room = true;
+    each_face(
+        solid, 0, solid.face_count, [](std::uint32_t face) { return face; },
+        [&](std::uint32_t face) {
+            const FacePlaces places = last.places_of(solid, face);
+            if (places.has_effect) room = room && list_or_place(face, places, entry);
+            if (places.is_on_way) entry.winding += crossing(solid_, face, start, axis_x, length);
+        });
+    if (!room) overflow();
     entry.placed_end = placed_words() / PlacedFaces::words;
-    return reserve(0, entry.faces);
+    return room && reserve(0, entry.faces);
 }
 
-// Places a face in so many octants, or lists it if these are none. False when there is no room.
-bool GridConversion::list_or_place(std::uint32_t face, const std::uint32_t* octants, std::uint32_t count,
-                                   Entry& root) {
-    const std::uint32_t words = count == 0 ? 1 : count * PlacedFaces::words;
+// Places a face, or lists it if it has no place. False when there is no room.
+bool GridConversion::list_or_place(std::uint32_t face, const FacePlaces& places, Entry& root) {
+    const std::uint32_t words = places.count == 0 ? 1 : places.count * PlacedFaces::words;
     if (words > room_ - root.faces) return false;
-    if (count == 0) scratch_[root.faces++] = face;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        room_ -= PlacedFaces::words;
-        scratch_[room_] = octants[i];
-        scratch_[room_ + 1] = face;
+    if (places.count == 0) {
+        scratch_[root.faces++] = face;
+        return true;
     }
+    // With two places there are two words more; with one it is written twice, without a branch.
+    PlacedFaces::put(scratch_ + room_ - PlacedFaces::words, places.octants[0], face);
+    room_ -= words;
+    PlacedFaces::put(scratch_ + room_, places.octants[1], face);
     return true;
 }
 

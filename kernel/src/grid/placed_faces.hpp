@@ -1,37 +1,13 @@
-// Faces of which it is known from the beginning which of the last grids' octants they meet.
+// Faces of which it is known from the beginning in which of the last grids' octants they are.
 #ifndef OSEM_GRID_PLACED_FACES_HPP
 #define OSEM_GRID_PLACED_FACES_HPP
 
 #include <cstddef>
 #include <cstdint>
 
-#include "grid/extent.hpp"
-#include "osem/lattice.hpp"
-
 namespace osem {
 
-/// The octants that the last grids divide, and where their reference points lie.
-struct LastOctants {
-    Octant octant;       ///< that they make up
-    int levels;          ///< how far below it they are
-    std::int32_t offset; ///< of reference points from minimum corners
-};
-
-/// The last grids' octants that a face meets, by their numbers in Morton order. There are two at most; if
-/// there is none the face is not placed.
-struct FacePlaces {
-    std::uint32_t count;
-    std::uint32_t octants[2];
-};
-
-/// Places a triangle if it lies between the sides of one octant, or along one axis in two, which it then
-/// meets, and reaches past reference points along one axis at most, so that it lies on no way from one to
-/// another. All that FaceInGrid would find out in the grids above is in that. None is placed in octants that
-/// are 11 levels below or more: their numbers would be longer than a word.
-FacePlaces places_of(const Solid& solid, std::uint32_t face, const Extent& extent,
-                     const LastOctants& octants);
-
-/// Placed faces: two words each, an octant's number and the face that meets it.
+/// Placed faces: two words each, an octant's number and a face that is in it.
 struct PlacedFaces {
     /// Some of them, from `first` on.
     struct Range {
