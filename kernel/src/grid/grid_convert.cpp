@@ -41,14 +41,18 @@ struct GridList {
     std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* halves,
                        std::uint32_t* space) const {
         std::uint64_t met = 0;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            FaceInGrid face(solid, faces[i], grid);
+        const auto meet_one = [&](std::uint32_t number) {
+            FaceInGrid face(solid, number, grid);
             const std::uint64_t octants = face.octants_met(space);
-            halves[i] = static_cast<std::uint32_t>(octants);
-            halves[count + i] = static_cast<std::uint32_t>(octants >> 32);
+            halves[0] = static_cast<std::uint32_t>(octants);
+            halves[count] = static_cast<std::uint32_t>(octants >> 32);
+            ++halves;
             met |= octants;
             face.add_crossings(windings, space);
-        }
+        };
+        const std::uint32_t* const list = faces;
+        each_face(
+            solid, 0, count, [list](std::uint32_t i) { return list[i]; }, meet_one);
         return met;
     }
 };
