@@ -5,12 +5,11 @@ namespace osem {
 // Counts, and then puts each face where those with its digit belong; the one that was there comes to its
 // place and is left for the next time. Each time half of those that are left find their places at least, and
 // no step waits for another, as it would if the one that was there were always the next one.
-std::uint64_t PlacedFaces::sort(const Range& range, const Digit& sorted_by, std::uint32_t* space) const {
-    const Digit digit = sorted_by;         // a compiler cannot know that no word below is part of it
+std::uint64_t PlacedFaces::sort(Range range, Digit digit, std::uint32_t* space) const {
     std::uint32_t* const next = space;     // the first place of each digit's that is not taken
     std::uint32_t* const end = space + 64; // behind its places
     for (std::uint32_t value = 0; value <= digit.greatest; ++value) end[value] = 0;
-    for (std::uint32_t i = range.first, behind = range.end; i != behind; ++i) ++end[digit.of(octant(i))];
+    for (std::uint32_t i = range.first; i != range.end; ++i) ++end[digit.of(octant(i))];
     std::uint64_t present = 0;
     std::uint32_t places = range.first;
     for (std::uint32_t value = 0; value <= digit.greatest; ++value) {

@@ -34,7 +34,7 @@ struct PlacedFaces {
     }
 
     /// Sorts a range by a digit; the set of those that there are. Cost: O(range). Space: words_to_sort.
-    std::uint64_t sort(const Range& range, const Digit& digit, std::uint32_t* space) const;
+    std::uint64_t sort(Range range, Digit digit, std::uint32_t* space) const;
 
     /// The beginning of a sorted range, as far as the digit is that one; empty if the first face has another.
     Range front(const Range& range, const Digit& digit, std::uint32_t value) const {
