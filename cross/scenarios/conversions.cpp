@@ -37,14 +37,30 @@ struct GridRun {
     }
 };
 
-void add_grid_depths(Digest& digest, const Solid& solid, const ConvertOptions& deepest) {
+// Calls found(outcome, job) for conversions to each depth, and for some of all kinds.
+template <class Found>
+void each_depth_by_grids(const Solid& solid, const ConvertOptions& deepest, Found found) {
     auto& run = fresh<GridRun>();
     ConvertOptions options = deepest;
     for (options.depth = 1; options.depth <= deepest.depth; ++options.depth) {
         pool.roll_back(0);
-        add(digest, run.convert(solid, options, 1 + options.depth % 2));
-        digest.add(run.job.grids_visited());
-        digest.add(run.job.scratch_used());
+        found(run.convert(solid, options, 1 + options.depth % 2), run.job);
+    }
+}
+
+template <class Found>
+void each_by_grids(Found found) {
+    for (const auto leaves : {LeafRule::conservative, LeafRule::centre}) {
+        each_depth_by_grids(plate(), ConvertOptions{5, leaves}, found);
+        each_depth_by_grids(octahedron(), ConvertOptions{6, leaves}, found);
+        for (const auto winding : {WindingRule::nonzero, WindingRule::odd, WindingRule::positive}) {
+            each_depth_by_grids(nested_shells(), ConvertOptions{4, leaves, winding}, found);
+        }
+        const int deepest = leaves == LeafRule::centre ? max_depth - 1 : max_depth;
+        const Solid soup = tetrahedra(11, Point{{root_side - 6, 0, root_side / 2 - 3}}, 6);
+        auto& run = fresh<GridRun>();
+        pool.roll_back(0);
+        found(run.convert(soup, {deepest, leaves}, 2), run.job);
     }
 }
 
@@ -156,18 +172,18 @@ std::uint64_t small_pools() {
 
 std::uint64_t conversions_by_grids() {
     Digest digest;
-    for (const auto leaves : {LeafRule::conservative, LeafRule::centre}) {
-        add_grid_depths(digest, plate(), ConvertOptions{5, leaves});
-        add_grid_depths(digest, octahedron(), ConvertOptions{6, leaves});
-        for (const auto winding : {WindingRule::nonzero, WindingRule::odd, WindingRule::positive}) {
-            add_grid_depths(digest, nested_shells(), ConvertOptions{4, leaves, winding});
-        }
-        const int deepest = leaves == LeafRule::centre ? max_depth - 1 : max_depth;
-        const Solid soup = tetrahedra(11, Point{{root_side - 6, 0, root_side / 2 - 3}}, 6);
-        auto& run = fresh<GridRun>();
-        pool.roll_back(0);
-        add(digest, run.convert(soup, {deepest, leaves}, 2));
-    }
+    each_by_grids(
+        [&digest](const TreeOutcome& outcome, const GridConversion& /*job*/) { add(digest, outcome); });
+    return digest.value();
+}
+
+// How they came to these trees, which may change where they stay.
+std::uint64_t work_of_grids() {
+    Digest digest;
+    each_by_grids([&digest](const TreeOutcome& /*outcome*/, const GridConversion& job) {
+        digest.add(job.grids_visited());
+        digest.add(job.scratch_used());
+    });
     return digest.value();
 }
 

@@ -24,6 +24,7 @@ constexpr Scenario scenarios[] = {
     {"small_steps", small_steps},
     {"small_pools", small_pools},
     {"conversions_by_grids", conversions_by_grids},
+    {"work_of_grids", work_of_grids},
     {"booleans_conservative", booleans_conservative},
     {"booleans_centre", booleans_centre},
     {"shared_operands", shared_operands},

@@ -27,6 +27,7 @@ std::uint64_t unit_leaves();
 std::uint64_t small_steps();
 std::uint64_t small_pools();
 std::uint64_t conversions_by_grids();
+std::uint64_t work_of_grids();
 
 // booleans.cpp
 std::uint64_t booleans_conservative();
