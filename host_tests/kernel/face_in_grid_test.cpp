@@ -59,11 +59,12 @@ struct TriangleInGrid {
         }
     }
     bool reaches_in() const {
-        const Extent extent(solid(), 0);
+        const Extent extent(solid(), corners, corners + 3);
         bool reaches = true;
         for (int axis = 0; axis < 3; ++axis) {
             const std::int32_t low = grid.corner.at[axis];
-            reaches = reaches && extent.overlaps(axis, low, low + (grid.length() << grid.levels));
+            const std::int32_t high = low + (grid.length() << grid.levels);
+            reaches = reaches && extent.low.at[axis] < high && extent.high.at[axis] > low;
         }
         return reaches;
     }

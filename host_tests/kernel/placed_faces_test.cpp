@@ -68,7 +68,8 @@ bool is_on_ways_between_leaves(const Solid& view, const DividedOctants& octants,
 // The octants in which a face, which is all of a solid, has an effect.
 std::vector<std::uint32_t> octants_with_effect(const SmallSolid& solid, const DividedOctants& octants) {
     std::vector<std::uint32_t> numbers;
-    const Extent extent(solid.view(), 0);
+    const Solid view = solid.view();
+    const Extent extent(view, view.corners, view.corners + view.corner_count);
     for (std::uint32_t number = 0; number < octants.count(); ++number) {
         const Octant octant = octants.at(number);
         bool near = true;

@@ -50,13 +50,14 @@ struct TriangleInBox {
                 at += root_side / 2 + (1 << shift) / 3;
             }
         }
-        const Extent extent(solid(), 0);
+        const Extent reach = extent();
         for (int axis = 0; axis < 3; ++axis) {
-            grid.corner.at[axis] = extent.low.at[axis] >> shift << shift;
-            octants[axis] = ((extent.high.at[axis] - 1 - grid.corner.at[axis]) >> shift) + 1;
+            grid.corner.at[axis] = reach.low.at[axis] >> shift << shift;
+            octants[axis] = ((reach.high.at[axis] - 1 - grid.corner.at[axis]) >> shift) + 1;
         }
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
+    Extent extent() const { return {solid(), corners, corners + 3}; }
     // Its plane as seen from the first octant's lower corner.
     SmallPlane small_plane() const {
         SmallTriangle from_corner = {};
@@ -89,7 +90,7 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
         const Plane plane(triangle.solid(), 0);
         const auto count = static_cast<std::uint32_t>(triangle.octants[0]);
         const PlaneFunction function(small_plane, triangle.grid.shift, count);
-        const std::int32_t length = Extent(triangle.solid(), 0).length(axis_x);
+        const std::int32_t length = triangle.extent().length(axis_x);
         ++(function.fits((length >> triangle.grid.shift) + 2) ? fitting : others);
         if (!function.fits((length >> triangle.grid.shift) + 2)) continue;
         for (int k = 0; k < triangle.octants[2]; ++k) {

@@ -24,19 +24,7 @@ struct Extent {
         }
     }
 
-    Extent(const Solid& solid, std::uint32_t face)
-        : Extent(solid, solid.corners + solid.first_corner(solid.first_ring(face)),
-                 solid.corners + solid.first_corner(solid.end_ring(face))) {}
-
     std::int32_t length(int axis) const { return high.at[axis] - low.at[axis]; }
-    /// Whether it reaches into the open interval between two coordinates.
-    bool overlaps(int axis, std::int32_t from, std::int32_t to) const {
-        return low.at[axis] < to && high.at[axis] > from;
-    }
-    /// Whether a coordinate that is moved up by an infinitesimal lies between its ends.
-    bool has(int axis, std::int32_t coordinate) const {
-        return low.at[axis] <= coordinate && high.at[axis] > coordinate;
-    }
 };
 
 } // namespace osem

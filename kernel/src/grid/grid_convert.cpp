@@ -137,9 +137,13 @@ bool GridConversion::enter_root(Entry& entry) {
             if (places.has_effect) room = room && list_or_place(face, places, entry);
             if (places.is_on_way) entry.winding += crossing(solid_, face, start, axis_x, length);
         });
-    if (!room) overflow();
+    if (!room) {
+        overflow();
+        return false;
+    }
+    reserve(0, entry.faces);
     entry.placed_end = placed_words() / PlacedFaces::words;
-    return room && reserve(0, entry.faces);
+    return true;
 }
 
 // Places a face, or lists it if it has no place. False when there is no room.

@@ -86,8 +86,8 @@ class LastOctants {
             while (++corner != end) {
                 FourSigned next;
                 load(next, solid.vertices[*corner]);
-                low = next < low ? next : low;
-                high = next > high ? next : high;
+                choose(low, next < low, next);
+                choose(high, next > high, next);
             }
             FourSigned first;
             FourSigned bits;
@@ -137,6 +137,12 @@ class LastOctants {
         bits = (bits | bits << 8) & 0x0300f00fU;
         bits = (bits | bits << 4) & 0x030c30c3U;
         bits = (bits | bits << 2) & bits_of_x;
+    }
+
+    // Others in the place of those numbers for which a comparison was true.
+    [[gnu::always_inline]] static void choose(FourSigned& numbers, const FourSigned& where,
+                                              const FourSigned& others) {
+        numbers = (others & where) | (numbers & ~where);
     }
 
     // A point's coordinates: x, y, again y, and z, as these are two pairs that may be read at once.

@@ -65,11 +65,6 @@ struct OctantGrid {
     constexpr Point reference() const {
         return Point{{corner.x() + offset, corner.y() + offset, corner.z() + offset}};
     }
-    /// The octants along an axis whose open intervals are between two coordinates, or partly so.
-    constexpr IndexRange octants_between(int axis, std::int32_t low, std::int32_t high) const {
-        return {clipped((low - corner.at[axis]) >> shift, 0, side()),
-                clipped((high - 1 - corner.at[axis]) >> shift, -1, side() - 1)};
-    }
     /// The reference points along an axis between two coordinates: moved by an infinitesimal, they are above
     /// one with which they are level. There may be none: then it is told all the same where the two lie.
     constexpr IndexRange points_between(int axis, std::int32_t low, std::int32_t high) const {

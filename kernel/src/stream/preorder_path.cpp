@@ -167,6 +167,7 @@ Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsig
         }
     }
     bool goes_on = from == begin || (nodes < most && from < end);
+    // unreachable: that it goes on where the loop above has left less than two turns take.
     for (; goes_on; goes_on = coming != 0 && nodes < most && from < end) {
         const CodeGroups groups(all_codes_at(from, 2 * in_byte));
         const unsigned taken = groups.to_end(coming, end - from > more ? CodeGroups::count : codes_ahead / 8);
