@@ -34,6 +34,13 @@ void paint_path() {
     expect(status == Status::ok && path.whole());
 }
 
+void paint_checksum() {
+    const std::uint8_t digits[] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+    Checksum checksum;
+    measured("Checksum::append", [&] { checksum.append(digits, sizeof digits); });
+    expect(checksum.value() == 0xcbf43926U); // what the CRC-32 of these is known to be
+}
+
 void paint_cursor(const Source& source) {
     measured("StreamCursor::begin", [&] { use(cursor.begin(source)); });
     std::uint16_t codes = 0;
@@ -100,6 +107,7 @@ void paint_streams(const PaintTrees& trees) {
     alignas(StreamCheckOutcome) static unsigned char outcome_memory[sizeof(StreamCheckOutcome)];
     measured("check_stream", [&] { new (outcome_memory) StreamCheckOutcome(check_stream(source)); });
     paint_path();
+    paint_checksum();
     paint_cursor(source);
     paint_builder(sink);
     paint_stream_queries(source, tree);
