@@ -104,6 +104,7 @@ void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const O
 // numbers are too large.
 bool FaceInGrid::pass_small(const Index& low, const Index& high, RowWindings& windings,
                             std::uint32_t* scratch) {
+    if (!guesses_cost_much) return false; // so that parts without need have no code of it
     const int last = grid_.side() - 1;
     const auto in_grid = [&](int axis) {
         return IndexRange{greatest(low.at[axis] + 1, 0), least(high.at[axis], last)};

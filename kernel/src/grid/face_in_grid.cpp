@@ -27,6 +27,17 @@ bool FaceInGrid::is_convex() {
     return turns == 4 || turns == -4;
 }
 
+FaceInGrid::Ranges FaceInGrid::ranges() const {
+    Ranges range = {};
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int32_t first = first_octant(axis);
+        const std::int32_t last = last_octant(axis);
+        range.along[axis] = {clipped(first, 0, grid_.side()), clipped(last, -1, grid_.side() - 1)};
+        range.within |= (first == last ? 1U : 0U) << axis;
+    }
+    return range;
+}
+
 // Squares of the grid as seen along an axis, those that a face is seen to meet: a range along u for each slab
 // along v. Slabs and the ends of ranges are kept within one beside the grid; of the last square the
 // complement is kept, so that both ends go down when the face reaches further.
@@ -158,8 +169,8 @@ class PassedOctants {
     return band.floor() < 0 && band.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
-void FaceInGrid::mark_many(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch,
-                           std::uint32_t* near_rings) {
+void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
+    const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;
     if (end_ - corners_ == 3 && range.is_within_two()) return mark_all(range, rows);
     if (guesses_cost_much && is_small() && mark_small(range, rows, scratch)) return;
@@ -213,9 +224,9 @@ void FaceInGrid::mark_all(const Ranges& range, std::uint32_t* rows) const {
     }
 }
 
-std::uint64_t FaceInGrid::octants_of_many(const Ranges& range, std::uint32_t* scratch) {
+std::uint64_t FaceInGrid::octants_of_many(std::uint32_t* scratch) {
     for (int row = 0; row < grid_.rows(); ++row) scratch[row] = 0;
-    mark_many(range, scratch, scratch + 16, nullptr);
+    mark_many(scratch, scratch + 16, nullptr);
     return as_mask(scratch, grid_.levels);
 }
 

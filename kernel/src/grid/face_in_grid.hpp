@@ -27,9 +27,9 @@ class FaceInGrid {
 
     /// The octants of a grid of up to 64 that it meets: as mark. Scratch: 16 + last_grid_space(levels).
     std::uint64_t octants_met(std::uint32_t* scratch) {
-        const Ranges range = ranges();
-        if (!range.is_one(is_triangle())) return octants_of_many(range, scratch);
-        return std::uint64_t{1} << (range[0].first + 4 * range[1].first + 16 * range[2].first);
+        Index index = {};
+        if (is_in_one(index)) return std::uint64_t{1} << (index.at[0] + 4 * index.at[1] + 16 * index.at[2]);
+        return octants_of_many(scratch);
     }
 
     /// Adds the octants that it meets to a set in rows: as classify of each. Cost for triangles and convex
@@ -39,11 +39,11 @@ class FaceInGrid {
     /// `near_rings`, which may be null, of those near a ring and of one for each range of a row between them.
     /// Scratch: last_grid_space(levels).
     void mark(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
-        const Ranges range = ranges();
-        if (range.is_one(is_triangle())) {
-            rows[grid_.row(range[1].first, range[2].first)] |= std::uint32_t{1} << range[0].first;
+        Index index = {};
+        if (is_in_one(index)) {
+            rows[grid_.row(index.at[1], index.at[2])] |= std::uint32_t{1} << index.at[0];
         } else {
-            mark_many(range, rows, scratch, near_rings);
+            mark_many(rows, scratch, near_rings);
         }
     }
 
@@ -77,22 +77,28 @@ class FaceInGrid {
         const IndexRange& operator[](int axis) const { return along[axis]; }
         bool is_within(int axis) const { return (within >> axis & 1U) != 0; }
         bool is_within_two() const { return within == 3 || within >= 5; }
-        // Whether it meets one octant and lies between its sides. A triangle has its inner points there;
-        // longer rings may have none.
-        bool is_one(bool is_triangle) const { return is_triangle && within == 7; }
     };
-    [[gnu::always_inline]] Ranges ranges() const {
-        Ranges range = {};
+    Ranges ranges() const;
+    // The octants into which its ends reach along an axis, in the grid or beyond.
+    [[gnu::always_inline]] std::int32_t first_octant(int axis) const {
+        return (extent_.low.at[axis] - grid_.corner.at[axis]) >> grid_.shift;
+    }
+    [[gnu::always_inline]] std::int32_t last_octant(int axis) const {
+        return (extent_.high.at[axis] - 1 - grid_.corner.at[axis]) >> grid_.shift;
+    }
+    // Whether it meets one octant and lies between its sides. A triangle has its inner points there; longer
+    // rings may have none.
+    bool is_in_one(Index& index) const {
+        std::int32_t differing = is_triangle() ? 0 : 1;
         for (int axis = 0; axis < 3; ++axis) {
-            const std::int32_t first = (extent_.low.at[axis] - grid_.corner.at[axis]) >> grid_.shift;
-            const std::int32_t last = (extent_.high.at[axis] - 1 - grid_.corner.at[axis]) >> grid_.shift;
-            range.along[axis] = {clipped(first, 0, grid_.side()), clipped(last, -1, grid_.side() - 1)};
-            range.within |= (first == last ? 1U : 0U) << axis;
+            index.at[axis] = first_octant(axis);
+            differing |= index.at[axis] ^ last_octant(axis);
         }
-        return range;
+        OSEM_ASSERT(differing != 0 || (index.at[0] | index.at[1] | index.at[2]) >> grid_.levels == 0);
+        return differing == 0;
     }
     bool is_triangle() const { return end_ - corners_ == 3; }
-    std::uint64_t octants_of_many(const Ranges& range, std::uint32_t* scratch);
+    std::uint64_t octants_of_many(std::uint32_t* scratch);
     // Its plane is made when it is asked for first: most faces do without.
     const Plane& plane() {
         if (!has_plane_) plane_ = Plane(solid_, corners_, end_);
@@ -121,8 +127,7 @@ class FaceInGrid {
         const int sign = plane.normal(axis).sign();
         return axis == axis_y ? -sign : sign; // (x, z) is left-handed
     }
-    void mark_many(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch,
-                   std::uint32_t* near_rings);
+    void mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings);
     void mark_convex(const Plane& plane, const Ranges& range, std::uint32_t* rows,
                      std::uint32_t* scratch) const;
     // Whether it is a small triangle, in a grid that has four rows beside each other.

@@ -25,6 +25,7 @@ constexpr std::uint32_t fours_of(std::uint32_t count) { return (count + 3) / 4; 
 // along x four go side by side: so the box begins where there are as many to the grid's end. False, and
 // nothing marked, if the triangle is seen as a line, or its plane's numbers are too large.
 bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch) const {
+    if (!guesses_cost_much) return false; // so that parts without need have no code of it
     static_assert(last_grid_space(4) >= 3 * 16 && last_grid_space(5) >= 3 * (small_octants + 4),
                   "room for what is seen, in fours of rows");
     const std::uint32_t x_count = range[0].count();
