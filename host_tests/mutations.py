@@ -20,7 +20,7 @@ SUITES = {
     "boundary": "Boundary*",
     "csg": "Csg*",
     "stream": "Stream*",
-    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*",
+    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*:PlacedFaces*:SmallPlane*",
     "osem": "Pruning*:Grid*:Symmetries*:Octree*",
 }
 
@@ -273,7 +273,12 @@ MUTATIONS = [
     ("grid/plane_function.hpp", "rise_and_fall_ = rise + up(-by_x)", "rise_and_fall_ = rise", "a plane that falls along x"),
     ("grid/last_octants.cpp", "(first | last) >> levels_ | apart >> 1", "(first | last) >> levels_", "triangles in more than two octants in a row"),
     ("grid/last_octants.cpp", "(first | last) >> levels_ | apart >> 1", "apart >> 1", "triangles that reach out of the octant"),
-    ("grid/last_octants.cpp", "found.axes(is_unfit) | beyond_one(beside)", "found.axes(is_unfit)", "triangles across two borders"),
+    ("grid/last_octants.cpp", "against = found.axes(is_unfit) | ", "against = ", "triangles in octants apart, or outside"),
+    ("grid/last_octants.cpp", "points_shift_ == 0 || beyond_one(found.axes(has_points)) != 0", "points_shift_ == 0 || found.axes(has_points) != 0", "a face that passes centres along one axis is listed"),
+    ("grid/last_octants.cpp", "points_shift_ == 0 || beyond_one", "beyond_one", "faces without an extent, which are met, left out"),
+    ("grid/last_octants.cpp", "last | (last_of_all - first)", "last", "faces behind the octant listed"),
+    ("grid/placed_faces.cpp", "are_left = are_left || next[value] != last;", "", "one pass of the sort"),
+    ("grid/crossings_of_small.cpp", "while (plane.normal[tie] == 0) ++tie;", "", "points on a plane along x"),
     ("grid/last_octants.cpp", " | beyond_one(found.axes(has_references));", ";", "triangles on a way between reference points"),
     ("grid/last_octants.cpp", "first = (behind + 1) >> octants_shift_", "first = behind >> octants_shift_", "a triangle that begins at a reference point's height"),
     ("grid/last_octants.cpp", "beyond_one(found.axes(has_points)) != 0", "found.axes(has_points) == 7", "faces across an axis that pass no centre along it"),

@@ -177,7 +177,7 @@ std::uint64_t conversions_by_grids() {
     return digest.value();
 }
 
-// How they came to these trees, which may change where they stay.
+// How these trees were made: that may change while they stay the same.
 std::uint64_t work_of_grids() {
     Digest digest;
     each_by_grids([&digest](const TreeOutcome& /*outcome*/, const GridConversion& job) {

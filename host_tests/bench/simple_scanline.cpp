@@ -43,17 +43,16 @@ void SimpleScanline::convert(const std::vector<Point>& vertices, const std::vect
     for (const host::Triangle& t : triangles) {
         const Point &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
         const std::int64_t x = normal_x(a, b, c);
-        if (x > 0) cross(a, b, c, 1, result.starts.data());
-        if (x < 0) cross(a, c, b, 0, result.starts.data());
+        if (x > 0) cross(a, b, c, x, 1, result.starts.data());
+        if (x < 0) cross(a, c, b, -x, 0, result.starts.data());
     }
     sort_into_rows(result);
 }
 
-// The rows of a triangle that turns to the left as seen along x. The sums are plane values of corners and
-// centres: under 2^63, as kernel/DESIGN.md has it.
-void SimpleScanline::cross(const Point& a, const Point& b, const Point& c, unsigned leaves,
+// The rows of a triangle that turns to the left as seen along x, whose normal has so much along it. The sums
+// are plane values of corners and centres: under 2^63, as kernel/DESIGN.md has it.
+void SimpleScanline::cross(const Point& a, const Point& b, const Point& c, std::int64_t x, unsigned leaves,
                            std::uint32_t* counts) {
-    const std::int64_t x = normal_x(a, b, c);
     const std::int64_t y =
         std::int64_t{b.z() - a.z()} * (c.x() - a.x()) - std::int64_t{b.x() - a.x()} * (c.z() - a.z());
     const std::int64_t z =

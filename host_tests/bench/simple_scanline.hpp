@@ -22,7 +22,8 @@ class SimpleScanline {
     std::uint64_t bytes() const;
 
   private:
-    void cross(const Point& a, const Point& b, const Point& c, unsigned leaves, std::uint32_t* counts);
+    void cross(const Point& a, const Point& b, const Point& c, std::int64_t x, unsigned leaves,
+               std::uint32_t* counts);
     void sort_into_rows(RunGrid& result);
 
     std::int64_t first_at(std::int64_t coordinate) const { return (coordinate + half_ - 1) >> shift_; }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,7 +19,12 @@ namespace {
 
 using OwnWords = std::unique_ptr<std::uint32_t[]>;
 
-OwnWords own_words(std::size_t count) { return std::make_unique<std::uint32_t[]>(count); }
+// Words that nobody has set yet.
+OwnWords own_words(std::size_t count) {
+    OwnWords words = std::make_unique<std::uint32_t[]>(count);
+    std::fill_n(words.get(), count, 0xa5a5a5a5U);
+    return words;
+}
 
 // A triangle and a grid that it reaches into: of up to 15 octants along each axis, or of up to 40; many of
 // its corners are on octants' borders, and many triangles at the grid's end or beyond it.
@@ -30,6 +36,7 @@ struct TriangleInGrid {
     explicit TriangleInGrid(std::mt19937& random) : grid(grid_of(random)) {
         do {
             for (int axis = 0; axis < 3; ++axis) choose(random, axis);
+            if (in(random, 0, 3) == 0) turn_along(in(random, 0, 2));
         } while (!reaches_in());
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
@@ -58,6 +65,18 @@ struct TriangleInGrid {
             point.at[axis] = at < 0 ? 0 : at < root_side ? at : root_side;
         }
     }
+    // An edge along an axis, so that the plane is too; the corners at the height of reference points.
+    void turn_along(int along) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == along) continue;
+            points[1].at[axis] = points[0].at[axis];
+            const std::int32_t first = grid.corner.at[axis] + grid.offset;
+            for (Point& point : points) {
+                const std::int32_t at = first + ((point.at[axis] - first) >> grid.shift << grid.shift);
+                if (at >= 0) point.at[axis] = at;
+            }
+        }
+    }
     bool reaches_in() const {
         const Extent extent(solid(), corners, corners + 3);
         bool reaches = true;
@@ -73,10 +92,11 @@ struct TriangleInGrid {
 TEST(FaceInGrid, MarksTheOctantsThatItMeets) {
     std::mt19937 random(8);
     std::uint64_t marked = 0;
-    for (int trial = 0; trial < 1500; ++trial) {
+    for (int trial = 0; trial < 1700; ++trial) {
         const TriangleInGrid given(random);
         const OctantGrid& grid = given.grid;
         const OwnWords rows = own_words(static_cast<std::size_t>(grid.rows()));
+        std::fill_n(rows.get(), grid.rows(), 0U);
         const OwnWords scratch = own_words(last_grid_space(grid.levels));
         FaceInGrid(given.solid(), 0, grid).mark(rows.get(), scratch.get(), nullptr);
         for (int k = 0; k < grid.side(); ++k) {

@@ -95,13 +95,14 @@ bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
 
 // A stream that lies in memory, or one that must be read.
 struct Place {
-    Place(const Bytes& bytes, bool checked, bool read) : reader(bytes) {
+    Place(const Bytes& bytes, bool checked, bool read) : exact(bytes), reader(bytes) {
         reader.checked = checked;
-        source = read ? reader.source() : source_of(bytes, checked);
+        source = read ? reader.source() : source_of(exact, checked);
     }
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
 
+    Bytes exact; // no memory behind its last byte, so that a sanitizer sees what is read there
     TestSource reader;
     Source source;
 };

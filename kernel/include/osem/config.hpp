@@ -16,8 +16,9 @@
 #define OSEM_OF_INDEX_WIDTH
 #endif
 
-// 1: the checksums of streams by tables of 8 KB, eight bytes at a time; 0: by a table of 64 bytes. Where
-// registers have 64 bits it makes no difference, as payloads need no table.
+// 1: the checksums of streams by tables of 8 KB, eight bytes at a time; 0: by a table of 64 bytes. With wide
+// registers (register_word.hpp) payloads need no table: then only headers are read by it, and 1 gains
+// nothing.
 #ifndef OSEM_FAST_CRC
 #define OSEM_FAST_CRC 0
 #endif

@@ -28,6 +28,7 @@
 #include "osem/preorder_path.hpp"
 #include "osem/query.hpp"
 #include "osem/ray.hpp"
+#include "osem/register_word.hpp"
 #include "osem/slice.hpp"
 #include "osem/solid.hpp"
 #include "osem/status.hpp"

@@ -3,16 +3,12 @@
 #define OSEM_PREORDER_PATH_HPP
 
 #include <cstdint>
-#include <type_traits>
 
 #include "osem/lattice.hpp"
 #include "osem/node_pool.hpp"
 #include "osem/status.hpp"
 
 namespace osem {
-
-/// As many codes as a register holds, two bits each, the first one lowest.
-using Codes = std::conditional_t<sizeof(void*) == 8, std::uint64_t, std::uint32_t>;
 
 /// Whether the codes of eight children, two bits each, are those of leaves of one colour.
 constexpr bool is_one_leaf(std::uint16_t codes) {

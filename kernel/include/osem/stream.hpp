@@ -79,7 +79,8 @@ struct Source {
     bool checked = false;
 };
 
-/// A stream in memory, which may be flash: the bytes are only read.
+/// A stream in memory, which may be flash: the bytes are only read. Where it is checked they are looked at
+/// where they lie: they must stay as they are until a job with it is over.
 Source memory_source(const std::uint8_t* bytes, std::size_t size);
 
 /// What check_stream found.

@@ -9,7 +9,7 @@
 #include "osem/checksum.hpp"
 #include "osem/lattice.hpp"
 #include "osem/node_pool.hpp"
-#include "osem/preorder_path.hpp"
+#include "osem/register_word.hpp"
 #include "osem/status.hpp"
 #include "osem/stream.hpp"
 
@@ -63,15 +63,15 @@ class StreamBuilder {
     void flush_pending(int end);
     void end_child();
     void close_full();
-    void put(Codes codes, unsigned count);
-    void end_word(Codes next);
+    void put(RegisterWord codes, unsigned count);
+    void end_word(RegisterWord next);
     void write_buffer();
     void write(const std::uint8_t* bytes, std::size_t count);
 
     Sink sink_ = {};
     StreamHeader header_ = {};
     std::uint64_t nodes_ = 0;
-    Codes bits_ = 0; ///< the word that is being filled
+    RegisterWord bits_ = 0; ///< the word that is being filled
     Checksum checksum_;
     unsigned used_ = 0; ///< bits of it in use; not all, between calls
     unsigned filled_ = 0;

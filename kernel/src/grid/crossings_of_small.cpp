@@ -7,9 +7,6 @@ namespace osem {
 
 namespace {
 
-constexpr int least(int a, int b) { return a < b ? a : b; }
-constexpr int greatest(int a, int b) { return a > b ? a : b; }
-
 // The last points before the plane on rays along an axis, those beside each other along v: if it is not seen
 // as a line along that axis, and its normal has 31 bits.
 [[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int u, int v,

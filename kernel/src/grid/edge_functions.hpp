@@ -37,7 +37,7 @@ class EdgeFunctions {
         for (Edge& edge : edges_) edge.now += edge.by_u;
     }
 
-    /// Goes on to the next four rows as well. Of each row so many places, up to 32: a bit for each that the
+    /// Goes on to the next four rows as well. Of each row so many places, 1 to 32: a bit for each that the
     /// triangle has, the first one lowest.
     void see_four(std::uint32_t places, Four& seen) {
         begin_four();
@@ -57,8 +57,8 @@ class EdgeFunctions {
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
     struct Edge {
-        Four value; ///< two's complement; below 2^30, with steps over 33 places and 20 rows, as the
-                    ///< side is 2^18 at most
+        Four value; ///< two's complement; below 2^30, with steps over the 33 places and
+                    ///< 20 rows that a box has at most, as the side is 2^18 at most
         Four now;
         std::uint32_t by_u;
         std::uint32_t by_four_rows;

@@ -154,7 +154,7 @@ bool GridConversion::list_or_place(std::uint32_t face, const FacePlaces& places,
         scratch_[root.faces++] = face;
         return true;
     }
-    // With two places there are two words more; with one it is written twice, without a branch.
+    // A face of one place is written twice there, so that nothing depends on how many it has.
     PlacedFaces::put(scratch_ + room_ - PlacedFaces::words, places.octants[0], face);
     room_ -= words;
     PlacedFaces::put(scratch_ + room_, places.octants[1], face);

@@ -65,11 +65,12 @@ template <class Number>
     const Number last = last_point >> octants_shift_;
     const Number apart = last - first;
     const Number unfit = (first | last) >> levels_ | apart >> 1; // not 0
-    const std::int32_t greatest = (1 << levels_) - 1;
+    const std::int32_t last_of_all = (1 << levels_) - 1;
     bits = (apart & is_beside) | ((unfit | -unfit) >> 31 & is_unfit) |
            ((behind - last_point) >> 31 & has_points) |
            (((behind >> octants_shift_) - last) >> 31 & has_references) |
-           ((behind & ~last_point) >> 31 & is_around_first) | ((last | (greatest - first)) >> 31 & is_beyond);
+           ((behind & ~last_point) >> 31 & is_around_first) |
+           ((last | (last_of_all - first)) >> 31 & is_beyond);
 }
 
 [[gnu::always_inline]] inline void LastOctants::find(Found& found, const Solid& solid,
@@ -114,10 +115,10 @@ FacePlaces LastOctants::places_of(const Solid& solid, std::uint32_t face) const 
     Found found = {};
     find(found, solid, corner, end);
     const std::uint32_t beside = found.axes(is_beside);
-    const std::uint32_t against =
-        found.axes(is_unfit) | beyond_one(beside) | beyond_one(found.axes(has_references));
+    // Across a border between octants there are reference points as well: so there is one border at most.
+    const std::uint32_t against = found.axes(is_unfit) | beyond_one(found.axes(has_references));
     const bool has_effect = points_shift_ == 0 || beyond_one(found.axes(has_points)) != 0;
-    const bool is_placed = against == 0 && has_effect && end - corner == 3 && levels_ >= 1 && levels_ <= 10;
+    const bool is_placed = against == 0 && end - corner == 3 && levels_ >= 1 && levels_ <= 10;
     // The next octant along an axis: 1 is added to those bits of the number that belong to it.
     const std::uint32_t along = beside * bits_of_x;
     const std::uint32_t next = (((found.octant | ~along) + beside) & along) | (found.octant & ~along);

@@ -31,8 +31,7 @@ bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint3
     const std::uint32_t x_count = range[0].count();
     const std::uint32_t y_fours = fours_of(range[1].count());
     const std::uint32_t z_count = range[2].count();
-    const int last_first = grid_.side() - 4 * static_cast<int>(y_fours);
-    const int first_y = range[1].first < last_first ? range[1].first : last_first;
+    const int first_y = least(range[1].first, grid_.side() - 4 * static_cast<int>(y_fours));
     const SmallTriangle triangle = small_triangle(grid_.at(range[0].first, first_y, range[2].first));
     const SmallPlane plane(triangle);
     PlaneFunction passes(plane, grid_.shift, x_count);
@@ -44,6 +43,7 @@ bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint3
         return EdgeFunctions(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares);
     };
     note_squares(seen(axis_x, axis_y, plane.sign(axis_z)), x_count, y_fours, x_by_y);
+    // (x, z) is left-handed.
     note_squares(seen(axis_x, axis_z, -plane.sign(axis_y)), x_count, fours_of(z_count), x_by_z);
     const IndexRange y = {range[1].first - first_y, range[1].last - first_y};
     note_squares(seen(axis_y, axis_z, plane.sign(axis_x)), static_cast<std::uint32_t>(y.last + 1),

@@ -9,9 +9,13 @@
 #include <cstdint>
 
 #include "osem/lattice.hpp"
+#include "osem/register_word.hpp"
 #include "tree/zeros.hpp"
 
 namespace osem {
+
+constexpr int least(int a, int b) { return a < b ? a : b; }
+constexpr int greatest(int a, int b) { return a > b ? a : b; }
 
 constexpr int clipped(std::int32_t index, int first, int last) {
     const int not_above = index < last ? static_cast<int>(index) : last;
@@ -145,7 +149,7 @@ inline void eight_in_morton_order(const std::uint32_t* row, unsigned x, int leve
                                   std::uint64_t (&sets)[8]) {
     // Numbers are (k2 k1 k0), of the set, and (j0 j1 j2 i2 i1 i0): so it is two rows at a time.
     const auto two = [row, x](std::size_t j) {
-        if constexpr (sizeof(void*) == 8) { // as a register holds both
+        if constexpr (has_wide_registers) { // as one holds both
             return two_rows(row + j) >> x & 0x000000ff000000ff;
         } else {
             return (row[j] >> x & 0xffU) | std::uint64_t{row[j + 1] >> x & 0xffU} << 32;

@@ -53,7 +53,7 @@ class PlaneFunction {
           octants_(octants) {
         const std::int64_t rise = up(by_x) + up(by_y) + up(by_z);
         rise_and_fall_ = rise + up(-by_x) + up(-by_y) + up(-by_z);
-        // Above 0 is not below what is left when 1 is taken away.
+        // A number is above 0 where it is not below 0 when 1 is taken away.
         const std::int64_t greatest = ((at_corner - 1) >> shift) + rise;
         const std::int64_t end = rise_and_fall_ + ((at_corner - 1) >> shift) - (at_corner >> shift);
         end_ = static_cast<std::uint32_t>(end) + least;

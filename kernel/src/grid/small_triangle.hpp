@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "osem/lattice.hpp"
-
 namespace osem {
 
 /// Where wrong guesses at branches cost much, triangles that are less than so many octants long along each
@@ -18,7 +16,8 @@ struct SmallTriangle {
     std::int32_t corners[3][3];
 };
 
-/// Its plane, as seen from the place that its corners are told from. All numbers are those of a Plane.
+/// Its plane, as seen from the place that its corners are told from. Its numbers are those that a Plane has:
+/// see there for their bounds.
 struct SmallPlane {
     std::int64_t normal[3];
     std::int64_t value; ///< at that place

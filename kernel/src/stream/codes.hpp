@@ -6,10 +6,13 @@
 #include <cstdint>
 
 #include "osem/node_pool.hpp"
-#include "osem/preorder_path.hpp"
+#include "osem/register_word.hpp"
 #include "tree/zeros.hpp"
 
 namespace osem {
+
+/// As many codes as a register holds, two bits each, the first one lowest.
+using Codes = RegisterWord;
 
 /// Four bytes as a number, little-endian: written out, so that a compiler sees that it may be one load. A
 /// call would take longer.

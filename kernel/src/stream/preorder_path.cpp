@@ -6,9 +6,9 @@ namespace osem {
 
 namespace {
 
-constexpr bool wide = codes_size == 8; // a register holds the codes of a turn of take_buffered, mostly of two
-constexpr unsigned turn_bits = 32;     // seven leaves, a grey octant and its children
-constexpr unsigned window_bits = 64 - 6; // of a wide register: what is there wherever it begins in a byte
+constexpr bool wide = has_wide_registers; // they hold the codes of a turn of take_buffered, mostly of two
+constexpr unsigned turn_bits = 32;        // seven leaves, a grey octant and its children
+constexpr unsigned window_bits = 64 - 6;  // of a wide register: what is there wherever it begins in a byte
 
 } // namespace
 
@@ -22,17 +22,16 @@ void PreorderPath::begin(int depth, std::uint32_t nodes) {
 
 Status PreorderPath::take(Colour code) {
     const bool first = left_[level_] == 8;
+    --left_[level_]; // of one that is refused as well: progress counts the octants before it
     if (code == Colour::grey) {
         if (level_ >= depth_) return Status::stream_too_deep;
         if (nodes_left_ == 0) return Status::stream_count_mismatch;
         --nodes_left_;
-        --left_[level_];
         left_[++level_] = 8;
         return Status::ok;
     }
     alike_ = first || (alike_ && code == colour_);
     colour_ = code;
-    --left_[level_];
     return ascend();
 }
 

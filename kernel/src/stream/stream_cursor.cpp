@@ -23,7 +23,7 @@ constexpr unsigned read_size = 64;
 unsigned limit_in_memory(const Source& source, std::uint64_t first) {
     constexpr std::uint64_t most = 4096; // bytes at once
     constexpr unsigned least = codes_ahead / 4 + codes_size + 1;
-    if (codes_size != 8 || !source.checked || source.read != read_memory) return 0;
+    if (!has_wide_registers || !source.checked || source.read != read_memory) return 0;
     const std::uint64_t left = source.size - first;
     return left < least ? 0 : 4 * (static_cast<unsigned>(left < most ? left : most) - least) + 1;
 }
