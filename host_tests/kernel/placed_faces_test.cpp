@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "classify/crossing.hpp"
+#include "grid/extent.hpp"
 #include "grid/last_octants.hpp"
 #include "osem/classify.hpp"
 #include "support/small_solids.hpp"
