@@ -100,8 +100,9 @@ void SimpleScanline::sort_into_rows(RunGrid& result) {
             const auto cell = static_cast<std::uint16_t>(*code / 2);
             if (winding == 0) begin = cell;
             winding += *code % 2 == 0 ? 1 : -1;
-            if (winding == 0 && begin < cell)
-                result.boundaries.insert(result.boundaries.end(), {begin, cell});
+            if (winding != 0 || begin == cell) continue;
+            result.boundaries.push_back(begin);
+            result.boundaries.push_back(cell);
         }
     }
 }
