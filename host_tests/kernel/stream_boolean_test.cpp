@@ -363,8 +363,7 @@ TEST(StreamBoolean, DamageInEitherOperandIsNamedBeforeAnythingIsWritten) {
                     const Source sources[2] = {source_of(operand == 0 ? bad : *other),
                                                source_of(operand == 0 ? *other : bad)};
                     static_cast<void>(job.begin(op, sources[0], sources[1], to.sink()));
-                    const StreamCombinationOutcome outcome =
-                        run(job, static_cast<std::uint32_t>(1 + at % 3));
+                    const StreamCombinationOutcome outcome = run(job, static_cast<std::uint32_t>(1 + at % 3));
                     EXPECT_EQ(outcome.status, walk.built.status) << at;
                     EXPECT_EQ(outcome.offset, walk.offset) << at;
                     EXPECT_EQ(outcome.operand, operand) << at;
