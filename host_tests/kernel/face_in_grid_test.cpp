@@ -72,7 +72,7 @@ struct TriangleInGrid {
             points[1].at[axis] = points[0].at[axis];
             const std::int32_t first = grid.corner.at[axis] + grid.offset;
             for (Point& point : points) {
-                const std::int32_t at = first + ((point.at[axis] - first) >> grid.shift << grid.shift);
+                const std::int32_t at = first + ((point.at[axis] - first) >> grid.shift) * grid.length();
                 if (at >= 0) point.at[axis] = at;
             }
         }
