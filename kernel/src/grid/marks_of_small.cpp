@@ -39,8 +39,8 @@ bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint3
     PlaneFunction passes(plane, grid_.shift, x_count);
     if (plane.is_line_somewhere() || !passes.fits((extent_.length(axis_x) >> grid_.shift) + 2)) return false;
     std::uint32_t* const x_by_y = scratch;
-    std::uint32_t* const x_by_z = x_by_y + std::size_t{4} * y_fours;
-    std::uint32_t* const y_by_z = x_by_z + std::size_t{4} * fours_of(z_count);
+    std::uint32_t* const x_by_z = x_by_y + 4 * static_cast<std::size_t>(y_fours);
+    std::uint32_t* const y_by_z = x_by_z + 4 * static_cast<std::size_t>(fours_of(z_count));
     const auto seen = [&](int u, int v, int turn) {
         return EdgeFunctions(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares);
     };
