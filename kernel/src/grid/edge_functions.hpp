@@ -26,15 +26,15 @@ class EdgeFunctions {
 
     /// Goes on to the next four rows, the first time to the first ones, and stands at their first places.
     void begin_four() {
-        for (Edge& edge : edges_) {
-            edge.now = edge.value;
-            edge.value += edge.by_four_rows;
+        for (unsigned edge = 0; edge < 3; ++edge) {
+            edges_[edge].now = edges_[edge].value;
+            edges_[edge].value += edges_[edge].by_four_rows;
         }
     }
     /// Of the places at which it stands, in its highest bit: whether the triangle does not have it.
     void outside(Four& result) const { result = edges_[0].now | edges_[1].now | edges_[2].now; }
     void next() {
-        for (Edge& edge : edges_) edge.now += edge.by_u;
+        for (unsigned edge = 0; edge < 3; ++edge) edges_[edge].now += edges_[edge].by_u;
     }
 
     /// Goes on to the next four rows as well. Of each row so many places, 1 to 32: a bit for each that the
@@ -66,11 +66,13 @@ class EdgeFunctions {
         Edge(const Corner& a, const Corner& b, int u, int v, int shift, Of of) {
             const std::int32_t step_v = b[u] - a[u];
             const std::int32_t step_u = a[v] - b[v];
-            const std::int64_t inside = std::int64_t{a[u]} * b[v] - std::int64_t{a[v]} * b[u];
+            const std::int64_t inside =
+                static_cast<std::int64_t>(a[u]) * b[v] - static_cast<std::int64_t>(a[v]) * b[u];
             std::int64_t at = 0;
             if (of == Of::points) {
-                // Without a branch: 1 less where step_u is below 0, or it is 0 and step_v is below 0.
-                at = (inside + ((step_u * (std::int64_t{1} << 32) + step_v) >> 63)) >> shift;
+                // Where step_u is below 0, or it is 0 and step_v is: asked in one.
+                const bool leads_out = step_u * (std::int64_t{1} << 32) + step_v < 0;
+                at = (inside - (leads_out ? 1 : 0)) >> shift;
             } else {
                 at = ((inside - 1) >> shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
             }

@@ -41,12 +41,13 @@ struct GridList {
     std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* halves,
                        std::uint32_t* space) const {
         std::uint64_t met = 0;
+        std::uint32_t* half = halves; // of the face that is met
         const auto meet_one = [&](std::uint32_t number) {
             FaceInGrid face(solid, number, grid);
             const std::uint64_t octants = face.octants_met(space);
-            halves[0] = static_cast<std::uint32_t>(octants);
-            halves[count] = static_cast<std::uint32_t>(octants >> 32);
-            ++halves;
+            half[0] = static_cast<std::uint32_t>(octants);
+            half[count] = static_cast<std::uint32_t>(octants >> 32);
+            ++half;
             met |= octants;
             face.add_crossings(windings, space);
         };
