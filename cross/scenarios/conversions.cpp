@@ -37,31 +37,40 @@ struct GridRun {
     }
 };
 
-// Calls found(outcome, job) for conversions to each depth, and for some of all kinds.
-template <class Found>
-void each_depth_by_grids(const Solid& solid, const ConvertOptions& deepest, Found found) {
+// Of the trees, or of how these trees were made: that may change while they stay the same.
+enum class OfGrids { trees, work };
+
+void add(Digest& digest, OfGrids what, const TreeOutcome& outcome, const GridConversion& job) {
+    if (what == OfGrids::trees) return add(digest, outcome);
+    digest.add(job.grids_visited());
+    digest.add(job.scratch_used());
+}
+
+void add_grid_depths(Digest& digest, OfGrids what, const Solid& solid, const ConvertOptions& deepest) {
     auto& run = fresh<GridRun>();
     ConvertOptions options = deepest;
     for (options.depth = 1; options.depth <= deepest.depth; ++options.depth) {
         pool.roll_back(0);
-        found(run.convert(solid, options, 1 + options.depth % 2), run.job);
+        add(digest, what, run.convert(solid, options, 1 + options.depth % 2), run.job);
     }
 }
 
-template <class Found>
-void each_by_grids(Found found) {
+// In line, as the least of the parts has little stack.
+[[gnu::always_inline]] inline std::uint64_t digest_of_grids(OfGrids what) {
+    Digest digest;
     for (const auto leaves : {LeafRule::conservative, LeafRule::centre}) {
-        each_depth_by_grids(plate(), ConvertOptions{5, leaves}, found);
-        each_depth_by_grids(octahedron(), ConvertOptions{6, leaves}, found);
+        add_grid_depths(digest, what, plate(), ConvertOptions{5, leaves});
+        add_grid_depths(digest, what, octahedron(), ConvertOptions{6, leaves});
         for (const auto winding : {WindingRule::nonzero, WindingRule::odd, WindingRule::positive}) {
-            each_depth_by_grids(nested_shells(), ConvertOptions{4, leaves, winding}, found);
+            add_grid_depths(digest, what, nested_shells(), ConvertOptions{4, leaves, winding});
         }
         const int deepest = leaves == LeafRule::centre ? max_depth - 1 : max_depth;
         const Solid soup = tetrahedra(11, Point{{root_side - 6, 0, root_side / 2 - 3}}, 6);
         auto& run = fresh<GridRun>();
         pool.roll_back(0);
-        found(run.convert(soup, {deepest, leaves}, 2), run.job);
+        add(digest, what, run.convert(soup, {deepest, leaves}, 2), run.job);
     }
+    return digest.value();
 }
 
 } // namespace
@@ -170,21 +179,7 @@ std::uint64_t small_pools() {
     return digest.value();
 }
 
-std::uint64_t conversions_by_grids() {
-    Digest digest;
-    each_by_grids(
-        [&digest](const TreeOutcome& outcome, const GridConversion& /*job*/) { add(digest, outcome); });
-    return digest.value();
-}
-
-// How these trees were made: that may change while they stay the same.
-std::uint64_t work_of_grids() {
-    Digest digest;
-    each_by_grids([&digest](const TreeOutcome& /*outcome*/, const GridConversion& job) {
-        digest.add(job.grids_visited());
-        digest.add(job.scratch_used());
-    });
-    return digest.value();
-}
+std::uint64_t conversions_by_grids() { return digest_of_grids(OfGrids::trees); }
+std::uint64_t work_of_grids() { return digest_of_grids(OfGrids::work); }
 
 } // namespace osem::cross

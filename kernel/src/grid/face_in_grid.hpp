@@ -54,10 +54,9 @@ class FaceInGrid {
     void add_crossings(RowWindings& windings, std::uint32_t* scratch) {
         // A ray is between the face's ends along both other axes: as those of few small faces are.
         if (int{has_between(axis_x)} + int{has_between(axis_y)} + int{has_between(axis_z)} < 2) return;
-        if (guesses_cost_much && is_small() &&
-            pass_small(last_points_before(extent_.low), last_points_before(extent_.high), windings,
-                       scratch)) {
-            return;
+        if constexpr (guesses_cost_much) {
+            const Index low = last_points_before(extent_.low);
+            if (is_small() && pass_small(low, last_points_before(extent_.high), windings, scratch)) return;
         }
         pass_all(windings, scratch);
     }
@@ -106,17 +105,19 @@ class FaceInGrid {
         return plane_;
     }
     bool is_convex();
-    // The last reference point before a place along an axis, in the grid or beyond; and along each.
-    [[gnu::always_inline]] std::int32_t last_point_before(const Point& place, int axis) const {
-        const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
-        return (place.at[axis] - 1 - first) >> grid_.shift;
-    }
+    // The last reference point before a place along each axis, in the grid or beyond.
     [[gnu::always_inline]] Index last_points_before(const Point& place) const {
-        return {{last_point_before(place, 0), last_point_before(place, 1), last_point_before(place, 2)}};
+        Index last = {};
+        for (int axis = 0; axis < 3; ++axis) {
+            last.at[axis] = (place.at[axis] - 1 - (grid_.corner.at[axis] + grid_.offset)) >> grid_.shift;
+        }
+        return last;
     }
     // Whether there are reference points between its ends along an axis, in the grid or beyond.
     [[gnu::always_inline]] bool has_between(int axis) const {
-        return last_point_before(extent_.low, axis) != last_point_before(extent_.high, axis);
+        const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
+        return (extent_.low.at[axis] - 1 - first) >> grid_.shift !=
+               (extent_.high.at[axis] - 1 - first) >> grid_.shift;
     }
     IndexRange between(int axis) const {
         return grid_.points_between(axis, extent_.low.at[axis], extent_.high.at[axis]);

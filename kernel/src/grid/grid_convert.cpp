@@ -41,19 +41,17 @@ struct GridList {
     std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* halves,
                        std::uint32_t* space) const {
         std::uint64_t met = 0;
-        std::uint32_t* half = halves; // of the face that is met
-        const auto meet_one = [&](std::uint32_t number) {
-            FaceInGrid face(solid, number, grid);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if constexpr (guesses_cost_much) {
+                send_for_next(solid, i, count, [this](std::uint32_t next) { return faces[next]; });
+            }
+            FaceInGrid face(solid, faces[i], grid);
             const std::uint64_t octants = face.octants_met(space);
-            half[0] = static_cast<std::uint32_t>(octants);
-            half[count] = static_cast<std::uint32_t>(octants >> 32);
-            ++half;
+            halves[i] = static_cast<std::uint32_t>(octants);
+            halves[count + i] = static_cast<std::uint32_t>(octants >> 32);
             met |= octants;
             face.add_crossings(windings, space);
-        };
-        const std::uint32_t* const list = faces;
-        each_face(
-            solid, 0, count, [list](std::uint32_t i) { return list[i]; }, meet_one);
+        }
         return met;
     }
 };
@@ -130,17 +128,16 @@ bool GridConversion::enter_root(Entry& entry) {
     const bool centres = options_.leaves == LeafRule::centre;
     const LastOctants last(octant_, levels_above(), centres ? lattice_bits - options_.depth : 0, offset());
     const Solid solid = solid_; // a compiler cannot know that no word of scratch is part of it
-    bool room = true;
-    each_face(
-        solid, 0, solid.face_count, [](std::uint32_t face) { return face; },
-        [&](std::uint32_t face) {
-            const FacePlaces places = last.places_of(solid, face);
-            if (places.has_effect) room = room && list_or_place(face, places, entry);
-            if (places.is_on_way) entry.winding += crossing(solid_, face, start, axis_x, length);
-        });
-    if (!room) {
-        overflow();
-        return false;
+    for (std::uint32_t face = 0; face < solid.face_count; ++face) {
+        if constexpr (guesses_cost_much) {
+            send_for_next(solid, face, solid.face_count, [](std::uint32_t next) { return next; });
+        }
+        const FacePlaces places = last.places_of(solid, face);
+        if (places.has_effect && !list_or_place(face, places, entry)) {
+            overflow();
+            return false;
+        }
+        if (places.is_on_way) entry.winding += crossing(solid_, face, start, axis_x, length);
     }
     reserve(0, entry.faces);
     entry.placed_end = placed_words() / PlacedFaces::words;
