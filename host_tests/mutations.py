@@ -286,7 +286,7 @@ MUTATIONS = [
     ("grid/last_octants.cpp", "(found.octant | ~along) + beside", "found.octant + beside", "the number of the octant beside one"),
     ("grid/grid_convert.cpp", "above.placed = placed.end;", "", "placed faces of octants visited before"),
     ("grid/crossings_of_small.cpp", "outside |= last.values() | (most - 1 - last.values());", "", "crossings beside the grid"),
-    ("grid/crossings_of_small.cpp", "least(z.first, grid_.side() - 4 * fours)", "z.first", "rays in layers beyond the grid"),
+    ("grid/octant_grid.hpp", "least(rows.first, side - 4 * fours_of(rows))", "rows.first", "rays in layers beyond the grid"),
     ("grid/crossings_of_small.cpp", "if (!plane.has_31_bits()) return false;", "", "divisors of more than 32 bits"),
     ("grid/crossings_of_small.cpp", "|| !is_within) continue;", ") continue;", "crossings of rays along z beside the grid"),
     ("grid/crossings_of_small.cpp", "low.at[axis_x] >= 0 ||", "low.at[axis_x] >= -1 ||", "rays along z near a triangle's end"),

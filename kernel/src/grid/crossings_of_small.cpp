@@ -1,22 +1,22 @@
 // What a small triangle adds to the winding numbers of a grid's reference points.
 #include "grid/edge_functions.hpp"
 #include "grid/face_in_grid.hpp"
+#include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
 namespace osem {
 
 namespace {
 
-// The last points before the plane on rays along an axis, those beside each other along v: if it is not seen
-// as a line along that axis, and its normal has 31 bits.
-[[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int u, int v,
-                                                     int shift) {
+// The last points before the plane on rays along an axis, along which it is not seen as a line; as Passages
+// has them, for a normal of 31 bits.
+[[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int shift) {
     const std::int64_t turn = plane.sign(axis);
     int tie = axis_x; // the first component that is not 0 decides about points on the plane
     while (plane.normal[tie] == 0) ++tie;
     const std::int64_t nudge = turn * plane.normal[tie] < 0 ? 1 : 0;
-    return {turn * plane.normal[axis], ~((turn * plane.value - nudge) >> shift), -turn * plane.normal[u],
-            -turn * plane.normal[v]};
+    return {turn * plane.normal[axis], ~((turn * plane.value - nudge) >> shift),
+            -turn * plane.normal[u_of[axis]], -turn * plane.normal[v_of[axis]]};
 }
 
 // Places behind which there is one more, or one less, as they are found.
@@ -53,11 +53,13 @@ void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const O
                  const IndexRange& y, int z, int fours, RowWindings& windings, std::uint32_t* scratch) {
     const int turn = plane.sign(axis_x);
     EdgeFunctions edges(triangle, axis_y, axis_z, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = last_before(plane, axis_x, axis_y, axis_z, grid.shift);
+    FourStairs last = last_before(plane, axis_x, grid.shift);
     Places places(scratch);
     const auto most = static_cast<std::uint32_t>(grid.side() - 1);
     const std::uint32_t layer = RowWindings::place(grid.row(0, 1), 0);
-    Four first_row = RowWindings::place(grid.row(y.first, z), 0) + Four{0, layer, 2 * layer, 3 * layer};
+    Four first_row = {};
+    set_multiples(first_row, layer);
+    first_row += RowWindings::place(grid.row(y.first, z), 0);
     for (; fours > 0; --fours, first_row += 4 * layer) {
         Four row = first_row;
         edges.begin_four();
@@ -81,7 +83,7 @@ void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const O
                  const IndexRange& y, RowWindings& windings) {
     const int turn = plane.sign(axis_z);
     EdgeFunctions edges(triangle, axis_x, axis_y, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = last_before(plane, axis_z, axis_x, axis_y, grid.shift);
+    FourStairs last = last_before(plane, axis_z, grid.shift);
     for (int j = y.first; j <= y.last; j += 4) {
         Four seen = {};
         edges.see_four(1, seen);
@@ -109,8 +111,8 @@ bool FaceInGrid::pass_small(const Index& low, const Index& high, RowWindings& wi
     const auto is_crossed = [&](int axis) { return high.at[axis] >= 0 && low.at[axis] < last; };
     const IndexRange y = in_grid(axis_y);
     const IndexRange z = in_grid(axis_z);
-    const int fours = (z.last - z.first + 4) / 4;
-    const int first_z = least(z.first, grid_.side() - 4 * fours);
+    const int fours = fours_of(z);
+    const int first_z = first_of_fours(z, grid_.side());
     const SmallTriangle triangle = small_triangle(grid_.point(0, y.first, first_z));
     const SmallPlane plane(triangle);
     if (!plane.has_31_bits()) return false;

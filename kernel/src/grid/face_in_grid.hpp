@@ -3,10 +3,10 @@
 #define OSEM_GRID_FACE_IN_GRID_HPP
 
 #include "geometry/plane.hpp"
-#include "grid/edge_functions.hpp"
 #include "grid/extent.hpp"
 #include "grid/octant_grid.hpp"
 #include "grid/row_windings.hpp"
+#include "grid/small_triangle.hpp"
 #include "osem/grid_convert.hpp"
 #include "osem/solid.hpp"
 #include "tree/guesses.hpp"

@@ -42,9 +42,7 @@ struct GridList {
                        std::uint32_t* space) const {
         std::uint64_t met = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-            if constexpr (guesses_cost_much) {
-                send_for_next(solid, i, count, [this](std::uint32_t next) { return faces[next]; });
-            }
+            send_for_next(solid, i, count, [this](std::uint32_t next) { return faces[next]; });
             FaceInGrid face(solid, faces[i], grid);
             const std::uint64_t octants = face.octants_met(space);
             halves[i] = static_cast<std::uint32_t>(octants);
@@ -129,9 +127,7 @@ bool GridConversion::enter_root(Entry& entry) {
     const LastOctants last(octant_, levels_above(), centres ? lattice_bits - options_.depth : 0, offset());
     const Solid solid = solid_; // a compiler cannot know that no word of scratch is part of it
     for (std::uint32_t face = 0; face < solid.face_count; ++face) {
-        if constexpr (guesses_cost_much) {
-            send_for_next(solid, face, solid.face_count, [](std::uint32_t next) { return next; });
-        }
+        send_for_next(solid, face, solid.face_count, [](std::uint32_t next) { return next; });
         const FacePlaces places = last.places_of(solid, face);
         if (places.has_effect && !list_or_place(face, places, entry)) {
             overflow();

@@ -11,15 +11,13 @@ namespace {
 
 // As seen along an axis: a word for each row of a box, in fours of rows. Which of so many squares of it the
 // triangle is seen to meet, a bit for each, the first one lowest.
-void note_squares(EdgeFunctions&& edges, std::uint32_t squares, std::uint32_t fours, std::uint32_t* rows) {
-    for (; fours != 0; --fours, rows += 4) {
+void note_squares(EdgeFunctions&& edges, std::uint32_t squares, int fours, std::uint32_t* rows) {
+    for (; fours > 0; --fours, rows += 4) {
         Four seen = {};
         edges.see_four(squares, seen);
         store(rows, seen);
     }
 }
-
-constexpr std::uint32_t fours_of(std::uint32_t count) { return (count + 3) / 4; }
 
 } // namespace
 
@@ -31,25 +29,26 @@ bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint3
     static_assert(last_grid_space(4) >= 3 * 16 && last_grid_space(5) >= 3 * (small_octants + 4),
                   "room for what is seen, in fours of rows");
     const std::uint32_t x_count = range[0].count();
-    const std::uint32_t y_fours = fours_of(range[1].count());
+    const int y_fours = fours_of(range[1]);
+    const int z_fours = fours_of(range[2]);
     const std::uint32_t z_count = range[2].count();
-    const int first_y = least(range[1].first, grid_.side() - 4 * static_cast<int>(y_fours));
+    const int first_y = first_of_fours(range[1], grid_.side());
     const SmallTriangle triangle = small_triangle(grid_.at(range[0].first, first_y, range[2].first));
     const SmallPlane plane(triangle);
     PlaneFunction passes(plane, grid_.shift, x_count);
     if (plane.is_line_somewhere() || !passes.fits((extent_.length(axis_x) >> grid_.shift) + 2)) return false;
     std::uint32_t* const x_by_y = scratch;
     std::uint32_t* const x_by_z = x_by_y + 4 * static_cast<std::size_t>(y_fours);
-    std::uint32_t* const y_by_z = x_by_z + 4 * static_cast<std::size_t>(fours_of(z_count));
+    std::uint32_t* const y_by_z = x_by_z + 4 * static_cast<std::size_t>(z_fours);
     const auto seen = [&](int u, int v, int turn) {
         return EdgeFunctions(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares);
     };
     note_squares(seen(axis_x, axis_y, plane.sign(axis_z)), x_count, y_fours, x_by_y);
     // (x, z) is left-handed.
-    note_squares(seen(axis_x, axis_z, -plane.sign(axis_y)), x_count, fours_of(z_count), x_by_z);
+    note_squares(seen(axis_x, axis_z, -plane.sign(axis_y)), x_count, z_fours, x_by_z);
     const IndexRange y = {range[1].first - first_y, range[1].last - first_y};
-    note_squares(seen(axis_y, axis_z, plane.sign(axis_x)), static_cast<std::uint32_t>(y.last + 1),
-                 fours_of(z_count), y_by_z);
+    note_squares(seen(axis_y, axis_z, plane.sign(axis_x)), static_cast<std::uint32_t>(y.last + 1), z_fours,
+                 y_by_z);
     const std::uint32_t all_y = y.bits();
     std::uint32_t* layer = rows + grid_.row(first_y, range[2].first);
     for (std::uint32_t k = 0; k < z_count; ++k, layer += grid_.side()) {

@@ -78,6 +78,13 @@ struct OctantGrid {
     }
 };
 
+/// Four rows beside each other at a time: how many fours a range of rows takes, and where the first one
+/// begins for all of them to be in a grid.
+constexpr int fours_of(const IndexRange& rows) { return (rows.last - rows.first + 4) / 4; }
+constexpr int first_of_fours(const IndexRange& rows, int side) {
+    return least(rows.first, side - 4 * fours_of(rows));
+}
+
 constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
     return {a.first > b.first ? a.first : b.first, a.last < b.last ? a.last : b.last};
 }
