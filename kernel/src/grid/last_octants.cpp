@@ -30,14 +30,15 @@ template <class Bits>
     bits = (bits | bits << 2) & bits_of_x;
 }
 
-// Others in the place of those numbers for which a comparison was true.
-[[gnu::always_inline]] inline void choose(FourSigned& numbers, const FourSigned& where,
-                                          const FourSigned& others) {
+// Others in the place of those numbers for which a comparison was true. Parts on which axes go one by one
+// have no use for this, nor for the next one.
+[[maybe_unused, gnu::always_inline]] inline void choose(FourSigned& numbers, const FourSigned& where,
+                                                        const FourSigned& others) {
     numbers = (others & where) | (numbers & ~where);
 }
 
 // A point's coordinates: x, y, again y, and z, as these are two pairs that may be read at once.
-[[gnu::always_inline]] inline void load(FourSigned& numbers, const Point& point) {
+[[maybe_unused, gnu::always_inline]] inline void load(FourSigned& numbers, const Point& point) {
     using Two [[gnu::vector_size(16)]] = std::uint64_t;
     std::uint64_t pairs[2];
     __builtin_memcpy(&pairs[0], &point.at[0], sizeof pairs[0]);
