@@ -11,7 +11,7 @@ namespace osem::tests {
 
 namespace {
 
-constexpr std::size_t planes = 8; // numbers are below 2^7: twelve of 9 at most are added
+constexpr std::size_t planes = 8; // numbers are below 2^7: twelve of 9 at most are added, and twelve of 1
 
 class Numbers {
   public:
@@ -29,6 +29,23 @@ class Numbers {
             const int begin = first + r;
             if (begin < 1 || begin >= side_) continue; // none, or all that there are
             for (int i = begin; i < side_; ++i) at(i, j + r, k) += number;
+        }
+    }
+
+    // Four rows from (j, k) on, and so many layers; behind points of which those from -2 to -1, or all that
+    // there are, are none.
+    template <class Point>
+    void add_behind_four(int j, int k, int layers, Point point, std::int32_t number) {
+        RowWindings::FourRows rows(windings_, j + k * side_, number);
+        for (int layer = k; layer < k + layers; ++layer, rows.next_layer()) {
+            Four points = {};
+            for (int r = 0; r < 4; ++r) {
+                const int last = point();
+                const bool is_there = last >= 0 && last < side_ - 1;
+                points[r] = is_there ? static_cast<std::uint32_t>(last) : ~std::uint32_t{0};
+                for (int i = last + 1; is_there && i < side_; ++i) at(i, j + r, layer) += number;
+            }
+            rows.add_behind(points);
         }
     }
 
@@ -99,6 +116,12 @@ TEST_P(RowWindingsOfRule, AreTheNumbersAddedUpOneByOne) {
             const int j = up_to(0, side - 1);
             numbers.add_behind(j, up_to(0, side - 1), up_to(0, side - j), up_to(-2, side), number);
         }
+        for (int adding = levels > 1 ? up_to(0, 12) : 0; adding > 0; --adding) {
+            const int k = up_to(0, side - 1);
+            numbers.add_behind_four(
+                up_to(0, side - 4), k, up_to(0, side - k), [&] { return up_to(-2, side); },
+                up_to(0, 1) == 0 ? 1 : -1);
+        }
         for (int change = up_to(0, 3); change > 0; --change) {
             numbers.change_first(up_to(0, side - 1), up_to(0, side - 1), up_to(-2, 2));
         }
@@ -115,6 +138,19 @@ TEST(RowWindings, ANumberWithoutRoom) {
     EXPECT_FALSE(windings.overflowed());
     windings.add_behind(1, 2, last, 8);
     EXPECT_TRUE(windings.overflowed());
+}
+
+// So do four rows that outgrow their planes in the same layer, all of them or one after the other.
+TEST(RowWindings, FourRowsWithoutRoom) {
+    for (const unsigned room : {3U, 4U}) {
+        std::vector<std::uint32_t> words(std::size_t{16} * room);
+        RowWindings windings(words.data(), 16 * room, 2, WindingRule::nonzero);
+        for (int times = 1; times <= 4; ++times) {
+            RowWindings::FourRows(windings, 4, 1).add_behind(Four{});
+            EXPECT_EQ(windings.overflowed(), (room == 3 && times >= 2) || times >= 4)
+                << room << ", " << times;
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RowWindingsOfRule,

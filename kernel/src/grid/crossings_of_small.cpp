@@ -10,72 +10,41 @@ namespace {
 
 // The last points before the plane on rays along an axis, along which it is not seen as a line; as Passages
 // has them, for a normal of 31 bits.
-[[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int shift) {
+[[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int u, int v,
+                                                     int shift) {
     const std::int64_t turn = plane.sign(axis);
     int tie = axis_x; // the first component that is not 0 decides about points on the plane
     while (plane.normal[tie] == 0) ++tie;
     const std::int64_t nudge = turn * plane.normal[tie] < 0 ? 1 : 0;
-    return {turn * plane.normal[axis], ~((turn * plane.value - nudge) >> shift),
-            -turn * plane.normal[u_of[axis]], -turn * plane.normal[v_of[axis]]};
+    return {turn * plane.normal[axis], ~((turn * plane.value - nudge) >> shift), -turn * plane.normal[u],
+            -turn * plane.normal[v]};
 }
 
-// Places behind which there is one more, or one less, as they are found.
-class Places {
-  public:
-    explicit Places(std::uint32_t* memory) : first_(memory), end_(memory) {}
-
-    // Those of four that are there; of these `is_there` is 1, of others 0.
-    [[gnu::always_inline]] void add(const Four& places, const Four& is_there) {
-        for (unsigned i = 0; i < 4; ++i) { // kept if it is there
-            *end_ = places[i];
-            end_ += is_there[i];
-        }
-    }
-    bool are_many() const { return end_ - first_ > most_kept; }
-    [[gnu::always_inline]] void tell(RowWindings& windings, std::int32_t number) {
-        windings.add_behind_each(first_, end_, number);
-        end_ = first_;
-    }
-
-  private:
-    static constexpr int most_kept = 44; // to which four may be added
-    static_assert(last_grid_space(1) >= most_kept + 4, "room for places");
-
-    std::uint32_t* first_;
-    std::uint32_t* end_;
-};
-
-// Rays along x: of the rows of a range along y in four layers side by side, then in the next four. All of
-// them are in the grid, so that those that the triangle does not have need not be left out. Where it is seen
-// its plane is where it is, so quotients modulo 2^32 are the numbers themselves; elsewhere they do not
-// matter.
-void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const OctantGrid& grid,
-                 const IndexRange& y, int z, int fours, RowWindings& windings, std::uint32_t* scratch) {
+// Rays along x: of four rows beside each other in each layer of a range, then of the next four. All of them
+// are in the grid, so that those that the triangle does not have need not be left out. Where it is seen its
+// plane is where it is, so quotients modulo 2^32 are the numbers themselves; elsewhere they do not matter.
+void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const OctantGrid& grid, int y,
+                 int fours, const IndexRange& z, RowWindings& windings) {
     const int turn = plane.sign(axis_x);
-    EdgeFunctions edges(triangle, axis_y, axis_z, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = last_before(plane, axis_x, grid.shift);
-    Places places(scratch);
+    EdgeFunctions edges(triangle, axis_z, axis_y, -turn, grid.shift, EdgeFunctions::Of::points);
+    FourStairs last = last_before(plane, axis_x, axis_z, axis_y, grid.shift);
     const auto most = static_cast<std::uint32_t>(grid.side() - 1);
-    const std::uint32_t layer = RowWindings::place(grid.row(0, 1), 0);
-    Four first_row = {};
-    set_multiples(first_row, layer);
-    first_row += RowWindings::place(grid.row(y.first, z), 0);
-    for (; fours > 0; --fours, first_row += 4 * layer) {
-        Four row = first_row;
+    for (; fours > 0; --fours, y += 4) {
+        RowWindings::FourRows rows(windings, grid.row(y, z.first), -turn);
         edges.begin_four();
         last.begin_four();
-        for (std::uint32_t left = y.count(); left != 0; --left) {
+        for (std::uint32_t left = z.count(); left != 0; --left) {
             Four outside = {}; // if its sign is set
             edges.outside(outside);
             outside |= last.values() | (most - 1 - last.values());
-            places.add(row + last.values(), ~outside >> 31);
-            if (places.are_many()) places.tell(windings, -turn);
-            row += RowWindings::place(1, 0);
+            Four not_there = {};
+            set_where_negative(not_there, outside);
+            rows.add_behind(not_there | last.values());
+            rows.next_layer();
             edges.next();
             last.next();
         }
     }
-    places.tell(windings, -turn);
 }
 
 // Rays along z, of the first points along x: of a range along y, four beside each other.
@@ -83,7 +52,7 @@ void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const O
                  const IndexRange& y, RowWindings& windings) {
     const int turn = plane.sign(axis_z);
     EdgeFunctions edges(triangle, axis_x, axis_y, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = last_before(plane, axis_z, grid.shift);
+    FourStairs last = last_before(plane, axis_z, axis_x, axis_y, grid.shift);
     for (int j = y.first; j <= y.last; j += 4) {
         Four seen = {};
         edges.see_four(1, seen);
@@ -111,13 +80,13 @@ bool FaceInGrid::pass_small(const Index& low, const Index& high, RowWindings& wi
     const auto is_crossed = [&](int axis) { return high.at[axis] >= 0 && low.at[axis] < last; };
     const IndexRange y = in_grid(axis_y);
     const IndexRange z = in_grid(axis_z);
-    const int fours = fours_of(z);
-    const int first_z = first_of_fours(z, grid_.side());
-    const SmallTriangle triangle = small_triangle(grid_.point(0, y.first, first_z));
+    const int fours = fours_of(y);
+    const int first_y = first_of_fours(y, grid_.side());
+    const SmallTriangle triangle = small_triangle(grid_.point(0, first_y, z.first));
     const SmallPlane plane(triangle);
     if (!plane.has_31_bits()) return false;
-    if (!y.empty() && fours > 0 && is_crossed(axis_x) && plane.normal[axis_x] != 0) {
-        add_along_x(triangle, plane, grid_, y, first_z, fours, windings, scratch);
+    if (fours > 0 && !z.empty() && is_crossed(axis_x) && plane.normal[axis_x] != 0) {
+        add_along_x(triangle, plane, grid_, first_y, fours, z, windings);
     }
     if (low.at[axis_x] >= 0 || high.at[axis_x] < 0) return true;
     if (!y.empty() && is_crossed(axis_z) && plane.normal[axis_z] != 0) {

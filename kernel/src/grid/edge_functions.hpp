@@ -5,14 +5,15 @@
 #include <cstdint>
 
 #include "grid/four.hpp"
+#include "grid/seen_edge.hpp"
 #include "grid/small_triangle.hpp"
 
 namespace osem {
 
-/// What a small triangle is seen to have of a grid's points, moved by (e, e^2), or to meet of its squares:
-/// those where the function of no edge is below 0. A function is linear, so it goes from place to place by
-/// one addition; it is divided by the octants' side, rounded down, which leaves its sign. Four rows go side
-/// by side.
+/// What a small triangle is seen to have of a grid's points, moved by e along the axis that comes first and
+/// by e^2 along the other one, or to meet of its squares: those where the function of no edge is below 0. A
+/// function is linear, so it goes from place to place by one addition; it is divided by the octants' side,
+/// rounded down, which leaves its sign. Four rows go side by side.
 class EdgeFunctions {
   public:
     enum class Of { points, squares };
@@ -21,8 +22,9 @@ class EdgeFunctions {
     /// a square's lower corner. Turn: 1 if the corners are seen to turn to the left, -1 to the right; they
     /// must turn.
     EdgeFunctions(const SmallTriangle& triangle, int u, int v, int turn, int shift, Of of)
-        : EdgeFunctions(triangle.corners[0], triangle.corners[turn > 0 ? 1 : 2],
-                        triangle.corners[turn > 0 ? 2 : 1], u, v, shift, of) {}
+        : EdgeFunctions(Seen(triangle.corners[0], u, v),
+                        Seen(triangle.corners[1], triangle.corners[2], turn > 0, u, v),
+                        Seen(triangle.corners[2], triangle.corners[1], turn > 0, u, v), u < v, shift, of) {}
 
     /// Goes on to the next four rows, the first time to the first ones, and stands at their first places.
     void begin_four() {
@@ -51,7 +53,16 @@ class EdgeFunctions {
     }
 
   private:
-    using Corner = std::int32_t[3];
+    // A corner as it is seen, or one of two.
+    struct Seen {
+        std::int32_t u;
+        std::int32_t v;
+
+        Seen(const std::int32_t (&corner)[3], int u_axis, int v_axis)
+            : u(corner[u_axis]), v(corner[v_axis]) {}
+        Seen(const std::int32_t (&a)[3], const std::int32_t (&b)[3], bool first, int u_axis, int v_axis)
+            : u(chosen(first, a[u_axis], b[u_axis])), v(chosen(first, a[v_axis], b[v_axis])) {}
+    };
 
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
@@ -63,15 +74,16 @@ class EdgeFunctions {
         std::uint32_t by_u;
         std::uint32_t by_four_rows;
 
-        Edge(const Corner& a, const Corner& b, int u, int v, int shift, Of of) {
-            const std::int32_t step_v = b[u] - a[u];
-            const std::int32_t step_u = a[v] - b[v];
-            const std::int64_t inside =
-                static_cast<std::int64_t>(a[u]) * b[v] - static_cast<std::int64_t>(a[v]) * b[u];
+        Edge(const Seen& a, const Seen& b, bool u_first, int shift, Of of) {
+            const std::int32_t step_v = b.u - a.u;
+            const std::int32_t step_u = a.v - b.v;
+            const std::int64_t inside = std::int64_t{a.u} * b.v - std::int64_t{a.v} * b.u;
             std::int64_t at = 0;
             if (of == Of::points) {
-                // Where step_u is below 0, or it is 0 and step_v is: asked in one.
-                const bool leads_out = step_u * (std::int64_t{1} << 32) + step_v < 0;
+                // Where the step along the first axis is below 0, or it is 0 and the other one is: asked in
+                // one.
+                const std::int64_t first = u_first ? step_u : step_v;
+                const bool leads_out = first * (std::int64_t{1} << 32) + (u_first ? step_v : step_u) < 0;
                 at = (inside - (leads_out ? 1 : 0)) >> shift;
             } else {
                 at = ((inside - 1) >> shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
@@ -85,8 +97,9 @@ class EdgeFunctions {
         }
     };
 
-    EdgeFunctions(const Corner& a, const Corner& b, const Corner& c, int u, int v, int shift, Of of)
-        : edges_{Edge(a, b, u, v, shift, of), Edge(b, c, u, v, shift, of), Edge(c, a, u, v, shift, of)} {}
+    EdgeFunctions(const Seen& a, const Seen& b, const Seen& c, bool u_first, int shift, Of of)
+        : edges_{Edge(a, b, u_first, shift, of), Edge(b, c, u_first, shift, of),
+                 Edge(c, a, u_first, shift, of)} {}
 
     Edge edges_[3];
 };

@@ -33,6 +33,29 @@ inline void set_multiples(Four& result, std::uint32_t number) {
     result = (once & Four{0, ~0U, 0, ~0U}) + ((once + once) & Four{0, 0, ~0U, ~0U});
 }
 
+/// Whether one of them is not 0 at least.
+inline bool any(const Four& numbers) {
+    using Two [[gnu::vector_size(16)]] = std::uint64_t;
+    const Two two = reinterpret_cast<Two>(numbers);
+    return (two[0] | two[1]) != 0;
+}
+
+/// The bits of a word above each one, by its number.
+struct BitsAbove {
+    std::uint32_t of[32];
+
+    constexpr BitsAbove() : of() {
+        for (unsigned bit = 0; bit < 32; ++bit) of[bit] = ~std::uint32_t{1} << bit;
+    }
+};
+inline constexpr BitsAbove bits_above;
+
+/// Those of four, of whose numbers the lowest five bits count.
+inline void set_bits_above(Four& result, const Four& bits) {
+    const Four bit = bits & 31;
+    result = Four{bits_above.of[bit[0]], bits_above.of[bit[1]], bits_above.of[bit[2]], bits_above.of[bit[3]]};
+}
+
 /// Four numbers that stand in a row, wherever that begins.
 inline void load(Four& numbers, const std::uint32_t* from) {
     __builtin_memcpy(&numbers, __builtin_assume_aligned(from, alignof(std::uint32_t)), sizeof numbers);

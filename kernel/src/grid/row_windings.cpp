@@ -23,6 +23,30 @@ void RowWindings::add(std::uint32_t row, std::uint32_t set, std::int32_t number)
     }
 }
 
+// As add_power of 1, in four rows from this one on.
+void RowWindings::add_to_four(std::uint32_t* low, const Four& added, std::uint32_t down) {
+    Four set = added;
+    Four before = {};
+    std::uint32_t* word = low;
+    for (unsigned left = planes_; --left != 0; word += rows_) {
+        load(before, word);
+        store(word, before ^ set);
+        set &= before ^ down;
+    }
+    load(before, word);
+    store(word, before ^ set);
+    const Four outgrown = set & ~(before ^ down);
+    if (any(outgrown) && planes_ > 1) widen_four(low, outgrown);
+}
+
+// Of all four the new plane is as of rows whose sign is right.
+void RowWindings::widen_four(const std::uint32_t* low, const Four& outgrown) {
+    const auto row = static_cast<std::uint32_t>(low - plane(0));
+    widen(row, outgrown[0]);
+    if (overflowed_) return;
+    for (unsigned i = 1; i < 4; ++i) plane(planes_ - 1)[row + i] ^= outgrown[i];
+}
+
 // The rows' first numbers from their differences.
 void RowWindings::finish(std::int32_t winding) {
     const auto number = static_cast<std::uint32_t>(winding);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "grid/four.hpp"
 #include "grid/set_zero.hpp"
 #include "grid/stair.hpp"
 #include "osem/convert.hpp"
@@ -56,16 +57,7 @@ class RowWindings {
         }
     }
 
-    /// A row and a point of it; numbered so, the points of all rows follow each other.
-    static constexpr std::uint32_t place(int row, int point) {
-        return static_cast<std::uint32_t>(32 * row + point);
-    }
-    /// Adds 1 or -1 to those behind each of the places [place, end).
-    [[gnu::always_inline]] void add_behind_each(const std::uint32_t* place, const std::uint32_t* end,
-                                                std::int32_t number) {
-        if (planes_ == 2) add_one_behind_each(place, end, number > 0);
-        for (; place != end; ++place) add(row_of(*place), behind(point_of(*place)), number);
-    }
+    class FourRows;
 
     /// All is added; the number of the grid's first point is this.
     void finish(std::int32_t winding);
@@ -77,8 +69,6 @@ class RowWindings {
     const std::uint32_t* inside();
 
   private:
-    static constexpr std::uint32_t row_of(std::uint32_t place) { return place / 32; }
-    static constexpr std::uint32_t point_of(std::uint32_t place) { return place % 32; }
     static constexpr std::uint32_t behind(std::uint32_t point) { return ~std::uint32_t{1} << point; }
     static std::uint32_t behind(const PlaneStair& last) {
         return behind(static_cast<std::uint32_t>(last.value()));
@@ -92,18 +82,6 @@ class RowWindings {
         *low ^= set;
         low[to_sign] ^= carry;
         return outgrown;
-    }
-    // As add_behind_each, while they do; goes on to the place behind.
-    [[gnu::always_inline]] void add_one_behind_each(const std::uint32_t*& place, const std::uint32_t* end,
-                                                    bool up) {
-        const std::uint32_t down = up ? 0 : ~std::uint32_t{0};
-        const std::size_t to_sign = rows_;
-        std::uint32_t* const rows = plane(0);
-        while (place != end) {
-            const std::uint32_t row = row_of(*place);
-            const std::uint32_t outgrown = add_one(rows + row, to_sign, behind(point_of(*place++)), down);
-            if (outgrown != 0) return widen(row, outgrown);
-        }
     }
     // As add_behind, while two planes suffice; goes on to the row behind.
     [[gnu::always_inline]] void add_one_behind(std::uint32_t& row, std::uint32_t end, PlaneStair& last,
@@ -124,6 +102,8 @@ class RowWindings {
     std::uint32_t* plane(unsigned b) const { return first_ + std::size_t{b + 1} * rows_; }
     void add_power(std::uint32_t row, std::uint32_t set, unsigned from, bool up);
     void add(std::uint32_t row, std::uint32_t set, std::int32_t number);
+    void add_to_four(std::uint32_t* low, const Four& added, std::uint32_t down);
+    void widen_four(const std::uint32_t* low, const Four& outgrown);
     void widen(std::uint32_t row, std::uint32_t outgrown);
     void set_where_not_zero(std::uint32_t* low) const;
     std::uint32_t inside_of(std::uint32_t row) const;
@@ -136,6 +116,45 @@ class RowWindings {
     unsigned planes_;
     bool level_ = true; ///< all differences are 0
     bool overflowed_;
+};
+
+/// Four rows beside each other, to which 1 or -1 is added; then the four above them, or not. They are added
+/// to as one: where nothing is added to one of them, nobody need guess so.
+class RowWindings::FourRows {
+  public:
+    FourRows(RowWindings& windings, int row, std::int32_t number)
+        : windings_(windings), low_(windings.plane(0) + row), to_sign_(windings.rows_),
+          to_next_layer_(std::size_t{1} << windings.levels_), down_(number > 0 ? 0 : ~std::uint32_t{0}) {}
+
+    /// To those behind a point of each row, of whose number the lowest five bits count: so to none where all
+    /// of these are set.
+    [[gnu::always_inline]] void add_behind(const Four& points) {
+        Four set = {};
+        set_bits_above(set, points);
+        if (windings_.planes_ != 2) {
+            const Four added = set; // as what is given by reference stays in memory
+            return windings_.add_to_four(low_, added, down_);
+        }
+        Four low = {};
+        Four sign = {};
+        load(low, low_);
+        load(sign, low_ + to_sign_);
+        const Four carry = set & (low ^ down_);
+        const Four outgrown = carry & ~(sign ^ down_);
+        store(low_, low ^ set);
+        store(low_ + to_sign_, sign ^ carry);
+        if (!any(outgrown)) return;
+        const Four added = outgrown;
+        windings_.widen_four(low_, added);
+    }
+    [[gnu::always_inline]] void next_layer() { low_ += to_next_layer_; }
+
+  private:
+    RowWindings& windings_;
+    std::uint32_t* low_;
+    std::size_t to_sign_;
+    std::size_t to_next_layer_;
+    std::uint32_t down_;
 };
 
 /// Adds or takes away 2^from, which is less than what the sign stands for.

@@ -37,7 +37,7 @@ struct SmallPlane {
         return has(normal[0]) && has(normal[1]) && has(normal[2]);
     }
     bool is_line_somewhere() const { return normal[0] == 0 || normal[1] == 0 || normal[2] == 0; }
-    int sign(int axis) const { return normal[axis] < 0 ? -1 : 1; }
+    int sign(int axis) const { return static_cast<int>(normal[axis] >> 63) | 1; } // without a branch
 };
 
 } // namespace osem
