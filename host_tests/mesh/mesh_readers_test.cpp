@@ -92,6 +92,7 @@ TEST(ReadOff, AnnouncedNumbersAreNotTrusted) {
 
 TEST(ReadMesh, NamesOfFiles) {
     EXPECT_REFUSED("a.ply", "ply\n", "unknown kind of mesh file");
+    EXPECT_REFUSED("a.osem", "OSEM", "a tree, not a mesh");
     EXPECT_THROW(read_mesh(::testing::TempDir() + "no_such_file.off"), BadInput);
     EXPECT_THROW(read_mesh(::testing::TempDir() + "no_extension"), BadInput);
 }

@@ -37,7 +37,8 @@ TEST_F(Query, Point) {
     EXPECT_EQ(found["visited"], "2");
     EXPECT_EQ(answer({"point", "0.75,0.5,0.5"})["colour"], "white");
     EXPECT_EQ(answer({"point", "0.25,0.25,0.25"})["colour"], "black");
-    EXPECT_TRUE(failed(ask({"point", "-0.1,0,0"}), 2, "outside the root"));
+    EXPECT_TRUE(failed(ask({"point", "-0.1,0,0"}), 2,
+                       "the point -0.1,0,0 lies outside the root cube, which is 0,0,0,1"));
     EXPECT_TRUE(failed(ask({"point", "1e300,0,0"}), 2, "1e+300 is too far"));
     EXPECT_TRUE(failed(ask({"point", "0,0"}), 1, "X,Y,Z"));
 }
@@ -52,7 +53,7 @@ TEST_F(Query, Box) {
     EXPECT_EQ(found["touches"], "yes");
     EXPECT_EQ(found["clear"], "no");
     EXPECT_EQ(answer({"box", "0,0,0,0.2,1,1"})["clear"], "yes");
-    EXPECT_TRUE(failed(ask({"box", "0,0,0,0,1,1"}), 2, "box holds no cell"));
+    EXPECT_TRUE(failed(ask({"box", "0,0,0,0,1,1"}), 2, "the box 0,0,0,0,1,1 holds no cell"));
     EXPECT_TRUE(failed(ask({"box", "0,0,0,2,1,1"}), 2, "the box 0,0,0,2,1,1 reaches outside the root"));
     EXPECT_TRUE(failed(ask({"box", "0,-0.1,0,1,1,1"}), 2, "the box 0,-0.1,0,1,1,1 reaches outside the root"));
 }

@@ -45,9 +45,22 @@ struct Asked {
 
 const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
+std::string numbers_text(const double* numbers, std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ",") + decimal(numbers[i]);
+    return text;
+}
+
+[[noreturn]] void refuse_outside(const std::string& what, const WorldCube& cube) {
+    throw BadInput(what + " outside the root cube, which is " + frame_text(cube) + " (X,Y,Z,SIDE)");
+}
+
 void ask_point(const Asked& asked, const Question& question) {
     const Point cell = on_lattice(question.at, asked.cube, Rounding::down);
     const PointOutcome found = leaf_at(asked.tree, cell);
+    if (found.status == Status::point_off_root) {
+        refuse_outside("the point " + numbers_text(question.at.data(), 3) + " lies", asked.cube);
+    }
     require_ok(found.status);
     asked.out << "cell " << point_text(cell) << '\n'
               << "colour " << colour_name(found.leaf.colour) << '\n'
@@ -55,23 +68,25 @@ void ask_point(const Asked& asked, const Question& question) {
               << "visited " << found.visited << '\n';
 }
 
-void refuse_outside(const CellBox& box, const double* bounds, const WorldCube& cube) {
+bool is_in_root(const CellBox& box) {
     bool inside = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         inside = inside && box.low.at[axis] >= 0 && box.high.at[axis] <= root_side;
     }
-    if (inside) return;
-    std::string text = "the box ";
-    for (std::size_t i = 0; i < 6; ++i) text += (i == 0 ? "" : ",") + decimal(bounds[i]);
-    throw BadInput(text + " reaches outside the root cube, which is " + frame_text(cube) + " (X,Y,Z,SIDE)");
+    return inside;
 }
 
 void ask_box(const Asked& asked, const Question& question) {
     const double* bounds = question.box;
     const CellBox box = {on_lattice({bounds[0], bounds[1], bounds[2]}, asked.cube, Rounding::down),
                          on_lattice({bounds[3], bounds[4], bounds[5]}, asked.cube, Rounding::up)};
-    refuse_outside(box, question.box, asked.cube);
+    const std::string text = "the box " + numbers_text(bounds, 6);
+    if (!is_in_root(box)) refuse_outside(text + " reaches", asked.cube);
     const BoxOutcome found = colours_in(asked.tree, box);
+    if (found.status == Status::box_empty) {
+        throw BadInput(text +
+                       " holds no cell: each of its first three numbers must be below the one three behind");
+    }
     require_ok(found.status);
     asked.out << "low " << point_text(box.low) << '\n'
               << "high " << point_text(box.high) << '\n'

@@ -45,7 +45,8 @@ std::int32_t lattice_length(const WorldCube& cube, const char* option, double wo
     }
     if (!is_multiple) {
         throw BadInput(std::string(option) + ": " + decimal(world) +
-                       " is no multiple of the lattice unit, which is " + decimal(cube.unit()));
+                       " is no multiple of the lattice unit, which is " + decimal(cube.unit()) +
+                       "; the nearest is " + decimal(std::round(cells) * cube.unit()));
     }
     return static_cast<std::int32_t>(cells);
 }

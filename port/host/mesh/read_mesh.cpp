@@ -52,7 +52,9 @@ Reader reader_for(std::string_view path) {
     if (equal_ignoring_case(extension, "stl")) return read_stl;
     if (equal_ignoring_case(extension, "obj")) return read_obj;
     if (equal_ignoring_case(extension, "poly")) return read_poly;
-    throw BadInput("unknown kind of mesh file: the extension must be .off, .stl, .obj or .poly");
+    const bool is_tree = equal_ignoring_case(extension, "osem");
+    throw BadInput(std::string(is_tree ? "a tree, not a mesh" : "unknown kind of mesh file") +
+                   ": the extension must be .off, .stl, .obj or .poly");
 }
 
 } // namespace

@@ -29,7 +29,7 @@ class Text {
     template <class Number>
     Text& number(Number value) {
         char digits[32];
-        text_ += ' ';
+        if (!text_.empty() && text_.back() != '\n') text_ += ' ';
         text_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
         return *this;
     }
