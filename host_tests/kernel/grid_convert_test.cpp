@@ -121,7 +121,7 @@ TEST(GridConversion, FineMeshes) {
     }
 }
 
-// Triangles in one octant of the last grids that are crossed by more rays than are kept before they count.
+// Triangles in one octant of the last grids that are crossed by many rays, in several fours of rows.
 TEST(GridConversion, TrianglesOfManyRays) {
     constexpr std::int32_t leaf = root_side >> 10;
     for (const std::int32_t off : {0, 1, leaf / 3}) {

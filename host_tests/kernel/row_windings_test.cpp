@@ -61,6 +61,9 @@ class Numbers {
 
     void finish_and_compare(std::int32_t winding) {
         ASSERT_FALSE(windings_.overflowed());
+        if (rule_ == WindingRule::odd) {
+            ASSERT_EQ(windings_.words_used(), static_cast<std::uint32_t>(2 * side_ * side_)); // one plane
+        }
         windings_.finish(winding);
         for (int r = 0; r < side_ * side_; ++r) {
             for (int i = 0; i < side_; ++i) {
@@ -129,7 +132,7 @@ TEST_P(RowWindingsOfRule, AreTheNumbersAddedUpOneByOne) {
     }
 }
 
-// Eight needs four planes, and there is room for three.
+// Eight needs five planes, one for the sign, and there is room for three.
 TEST(RowWindings, ANumberWithoutRoom) {
     std::vector<std::uint32_t> words(16 * 4);
     RowWindings windings(words.data(), 16 * 4, 2, WindingRule::nonzero);
@@ -140,15 +143,24 @@ TEST(RowWindings, ANumberWithoutRoom) {
     EXPECT_TRUE(windings.overflowed());
 }
 
-// So do four rows that outgrow their planes in the same layer, all of them or one after the other.
+// Nor is there for four rows that outgrow their planes, one of them or all at once.
 TEST(RowWindings, FourRowsWithoutRoom) {
-    for (const unsigned room : {3U, 4U}) {
-        std::vector<std::uint32_t> words(std::size_t{16} * room);
-        RowWindings windings(words.data(), 16 * room, 2, WindingRule::nonzero);
-        for (int times = 1; times <= 4; ++times) {
-            RowWindings::FourRows(windings, 4, 1).add_behind(Four{});
-            EXPECT_EQ(windings.overflowed(), (room == 3 && times >= 2) || times >= 4)
-                << room << ", " << times;
+    const Four all = {};
+    Four some[5] = {all};
+    for (unsigned row = 0; row < 4; ++row) {
+        some[row + 1] = Four{} + ~0U; // nothing is added to the others
+        some[row + 1][row] = 0;
+    }
+    for (const Four& points : some) {
+        for (const unsigned room : {3U, 4U}) { // for two planes or three, which hold numbers up to 1 or 3
+            std::vector<std::uint32_t> words(std::size_t{16} * room);
+            RowWindings windings(words.data(), 16 * room, 2, WindingRule::nonzero);
+            for (unsigned times = room == 3 ? 1 : 3; times > 0; --times) {
+                RowWindings::FourRows(windings, 4, 1).add_behind(points);
+                EXPECT_FALSE(windings.overflowed());
+            }
+            RowWindings::FourRows(windings, 4, 1).add_behind(points);
+            EXPECT_TRUE(windings.overflowed());
         }
     }
 }

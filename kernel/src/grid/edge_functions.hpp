@@ -68,8 +68,8 @@ class EdgeFunctions {
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
     struct Edge {
-        Four value; ///< two's complement; below 2^30, with steps over the 33 places and
-                    ///< 20 rows that a box has at most, as the side is 2^18 at most
+        Four value; ///< two's complement; below 2^30, with steps over as many places
+                    ///< and rows as a box has, 20 at most, as the side is 2^18 at most
         Four now;
         std::uint32_t by_u;
         std::uint32_t by_four_rows;

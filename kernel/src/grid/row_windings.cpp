@@ -4,7 +4,7 @@ namespace osem {
 
 // One more plane, for numbers of one row that have outgrown theirs: of those the sign is wrong.
 void RowWindings::widen(std::uint32_t row, std::uint32_t outgrown) {
-    overflowed_ = overflowed_ || (planes_ + 2) * rows_ > room_;
+    overflowed_ = (planes_ + 2) * rows_ > room_;
     if (overflowed_) return;
     const std::uint32_t* const signs = plane(planes_ - 1);
     std::uint32_t* const added = plane(planes_++);
@@ -43,7 +43,6 @@ void RowWindings::add_to_four(std::uint32_t* low, const Four& added, std::uint32
 void RowWindings::widen_four(const std::uint32_t* low, const Four& outgrown) {
     const auto row = static_cast<std::uint32_t>(low - plane(0));
     widen(row, outgrown[0]);
-    if (overflowed_) return;
     for (unsigned i = 1; i < 4; ++i) plane(planes_ - 1)[row + i] ^= outgrown[i];
 }
 

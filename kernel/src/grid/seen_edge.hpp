@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "osem/lattice.hpp"
+#include "tree/guesses.hpp"
 
 namespace osem {
 
@@ -12,14 +13,13 @@ namespace osem {
 constexpr int u_of[3] = {1, 0, 0};
 constexpr int v_of[3] = {2, 2, 1};
 
-/// One of two numbers. What is as often true as not is no branch to be guessed where wrong guesses cost much,
-/// as in parts of 64 bits.
+/// One of two numbers. What is as often true as not is no branch to be guessed where wrong guesses cost much.
 constexpr std::int32_t chosen(bool first, std::int32_t a, std::int32_t b) {
-#if defined(__LP64__)
-    return b ^ ((a ^ b) & -std::int32_t{first});
-#else
-    return first ? a : b;
-#endif
+    if constexpr (guesses_cost_much) {
+        return b ^ ((a ^ b) & -std::int32_t{first});
+    } else {
+        return first ? a : b;
+    }
 }
 
 /// An edge as seen in the plane of two axes, from its low end along v to its high one.

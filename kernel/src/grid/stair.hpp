@@ -17,6 +17,7 @@
 
 #include "grid/four.hpp"
 #include "grid/octant_grid.hpp"
+#include "tree/guesses.hpp"
 
 namespace osem {
 
@@ -246,15 +247,11 @@ class WalkedBand {
 
 // Parts of 64 bits divide in an instruction and guess at branches; others call a function to divide numbers
 // of 64 bits, and lose little by a branch.
-#if defined(__LP64__)
-using EdgeStair = DividedStair<std::int32_t>;
-using PlaneStair = DividedStair<std::int64_t>;
-using PlaneBand = DividedBand<std::int64_t>;
-#else
-using EdgeStair = WalkedStair<std::int32_t>;
-using PlaneStair = WalkedStair<std::int64_t>;
-using PlaneBand = WalkedBand<std::int64_t>;
-#endif
+template <class Value>
+using StairOf = std::conditional_t<guesses_cost_much, DividedStair<Value>, WalkedStair<Value>>;
+using EdgeStair = StairOf<std::int32_t>;
+using PlaneStair = StairOf<std::int64_t>;
+using PlaneBand = std::conditional_t<guesses_cost_much, DividedBand<std::int64_t>, WalkedBand<std::int64_t>>;
 
 /// Stairs or bands side by side: from row to row along u the dividend changes by one number, which is that of
 /// the slope, from one such row of rows to the next by another.
