@@ -33,14 +33,16 @@ void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const O
         RowWindings::FourRows rows(windings, grid.row(y, z.first), -turn);
         edges.begin_four();
         last.begin_four();
-        for (std::uint32_t left = z.count();; rows.next_layer(), edges.next(), last.next()) {
+        for (std::uint32_t left = z.count(); left != 0; --left) {
             Four outside = {}; // if its sign is set
             edges.outside(outside);
             outside |= last.values() | (most - 1 - last.values());
             Four not_there = {};
             set_where_negative(not_there, outside);
             rows.add_behind(not_there | last.values());
-            if (--left == 0) break;
+            rows.next_layer();
+            edges.next();
+            last.next();
         }
     }
 }

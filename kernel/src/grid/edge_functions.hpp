@@ -77,7 +77,8 @@ class EdgeFunctions {
         Edge(const Seen& a, const Seen& b, bool u_first, int shift, Of of) {
             const std::int32_t step_v = b.u - a.u;
             const std::int32_t step_u = a.v - b.v;
-            const std::int64_t inside = std::int64_t{a.u} * b.v - std::int64_t{a.v} * b.u;
+            const std::int64_t inside =
+                static_cast<std::int64_t>(a.u) * b.v - static_cast<std::int64_t>(a.v) * b.u;
             std::int64_t at = 0;
             if (of == Of::points) {
                 // Where the step along the first axis is below 0, or it is 0 and the other one is: asked in

@@ -123,35 +123,38 @@ class RowWindings {
 class RowWindings::FourRows {
   public:
     FourRows(RowWindings& windings, int row, std::int32_t number)
-        : windings_(windings), low_(windings.plane(0) + row), to_sign_(windings.rows_),
-          to_next_layer_(std::size_t{1} << windings.levels_), down_(number > 0 ? 0 : ~std::uint32_t{0}) {}
+        : windings_(windings), low_(windings.plane(0)), row_(static_cast<std::size_t>(row)),
+          to_sign_(windings.rows_), to_next_layer_(std::size_t{1} << windings.levels_),
+          down_(number > 0 ? 0 : ~std::uint32_t{0}) {}
 
     /// To those behind a point of each row, of whose number the lowest five bits count: so to none where all
     /// of these are set.
     [[gnu::always_inline]] void add_behind(const Four& points) {
         Four set = {};
         set_bits_above(set, points);
+        std::uint32_t* const low_words = low_ + row_;
         if (windings_.planes_ != 2) {
             const Four added = set; // as what is given by reference stays in memory
-            return windings_.add_to_four(low_, added, down_);
+            return windings_.add_to_four(low_words, added, down_);
         }
         Four low = {};
         Four sign = {};
-        load(low, low_);
-        load(sign, low_ + to_sign_);
+        load(low, low_words);
+        load(sign, low_words + to_sign_);
         const Four carry = set & (low ^ down_);
         const Four outgrown = carry & ~(sign ^ down_);
-        store(low_, low ^ set);
-        store(low_ + to_sign_, sign ^ carry);
+        store(low_words, low ^ set);
+        store(low_words + to_sign_, sign ^ carry);
         if (!any(outgrown)) return;
         const Four added = outgrown;
-        windings_.widen_four(low_, added);
+        windings_.widen_four(low_words, added);
     }
-    [[gnu::always_inline]] void next_layer() { low_ += to_next_layer_; }
+    [[gnu::always_inline]] void next_layer() { row_ += to_next_layer_; }
 
   private:
     RowWindings& windings_;
-    std::uint32_t* low_;
+    std::uint32_t* low_; ///< the lowest plane
+    std::size_t row_;    ///< the first of the four; behind the last layer there is none
     std::size_t to_sign_;
     std::size_t to_next_layer_;
     std::uint32_t down_;

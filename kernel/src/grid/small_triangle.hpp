@@ -37,7 +37,8 @@ struct SmallPlane {
         return has(normal[0]) && has(normal[1]) && has(normal[2]);
     }
     bool is_line_somewhere() const { return normal[0] == 0 || normal[1] == 0 || normal[2] == 0; }
-    int sign(int axis) const { return static_cast<int>(normal[axis] >> 63) | 1; } // without a branch
+    /// Without a branch: it is as often the one as the other. Normals are below 2^62.
+    int sign(int axis) const { return static_cast<int>(normal[axis] >> 62) | 1; }
 };
 
 } // namespace osem
