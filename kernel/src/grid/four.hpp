@@ -44,6 +44,7 @@ inline bool any(const Four& numbers) {
 struct BitsAbove {
     std::uint32_t of[32];
 
+    // unreachable: at run time, as the compiler asks.
     constexpr BitsAbove() : of() {
         for (unsigned bit = 0; bit < 32; ++bit) of[bit] = ~std::uint32_t{1} << bit;
     }
