@@ -265,7 +265,7 @@ class OverPlane {
     /// The one along u that begins at (u, v).
     Stair at(int u, int v) {
         const Stair stair(along_u_, dividend(u, v), most_, guess_);
-        guess_ = stair.floor();
+        if constexpr (!guesses_cost_much) guess_ = stair.floor(); // others divide
         return stair;
     }
 
