@@ -32,8 +32,8 @@ class Numbers {
         }
     }
 
-    // Four rows from (j, k) on, and so many layers; behind points of which those from -2 to -1, or all that
-    // there are, are none.
+    // Four rows from (j, k) on, and so many layers. Nothing is added to a row behind a point before its first
+    // one, nor behind its last one.
     template <class Point>
     void add_behind_four(int j, int k, int layers, Point point, std::int32_t number) {
         RowWindings::FourRows rows(windings_, j + k * side_, number);

@@ -20,7 +20,8 @@ constexpr const char* description =
     "Osem: boundary-represented solids to octrees and Booleans of octrees, on integers alone.";
 constexpr const char* exit_codes =
     "Exit codes: 0 done; 1 wrong usage; 2 a file cannot be read, used or written.\n"
-    "On failure one line says why, and no output file is left or replaced; of a stack, pictures done before.";
+    "On failure one line says why, and no output file is left or replaced; a stack keeps pictures that were "
+    "done.";
 
 // A file name or a library's message may hold line breaks; the report stays one line whatever it quotes.
 void report(std::ostream& err, const std::string& message) {

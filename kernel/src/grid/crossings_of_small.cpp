@@ -1,7 +1,6 @@
 // What a small triangle adds to the winding numbers of a grid's reference points.
 #include "grid/edge_functions.hpp"
 #include "grid/face_in_grid.hpp"
-#include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
 namespace osem {

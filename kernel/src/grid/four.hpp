@@ -5,10 +5,13 @@
 
 #include <cstdint>
 
+#include "osem/lattice.hpp"
+
 namespace osem {
 
 using Four [[gnu::vector_size(16)]] = std::uint32_t;
 using FourSigned [[gnu::vector_size(16)]] = std::int32_t;
+using TwoWide [[gnu::vector_size(16)]] = std::uint64_t; ///< the same bits, two numbers in each
 
 /// All bits for each number that is below 0 in two's complement, none for others. By reference, as how a
 /// function gets and gives vectors depends on what registers the part has.
@@ -33,10 +36,15 @@ inline void set_multiples(Four& result, std::uint32_t number) {
     result = (once & Four{0, ~0U, 0, ~0U}) + ((once + once) & Four{0, 0, ~0U, ~0U});
 }
 
+/// Others in the place of those numbers for which a comparison was true.
+[[gnu::always_inline]] inline void choose(FourSigned& numbers, const FourSigned& where,
+                                          const FourSigned& others) {
+    numbers = (others & where) | (numbers & ~where);
+}
+
 /// Whether one of them is not 0 at least.
 inline bool any(const Four& numbers) {
-    using Two [[gnu::vector_size(16)]] = std::uint64_t;
-    const Two two = reinterpret_cast<Two>(numbers);
+    const auto two = reinterpret_cast<TwoWide>(numbers);
     return (two[0] | two[1]) != 0;
 }
 
@@ -63,6 +71,14 @@ inline void load(Four& numbers, const std::uint32_t* from) {
 }
 inline void store(std::uint32_t* to, const Four& numbers) {
     __builtin_memcpy(__builtin_assume_aligned(to, alignof(std::uint32_t)), &numbers, sizeof numbers);
+}
+
+/// A point's coordinates: x, y, again y, and z, as these are two pairs that may be read at once.
+[[gnu::always_inline]] inline void load(FourSigned& numbers, const Point& point) {
+    std::uint64_t pairs[2];
+    __builtin_memcpy(&pairs[0], &point.at[0], sizeof pairs[0]);
+    __builtin_memcpy(&pairs[1], &point.at[1], sizeof pairs[1]);
+    numbers = reinterpret_cast<FourSigned>(TwoWide{pairs[0], pairs[1]});
 }
 
 } // namespace osem

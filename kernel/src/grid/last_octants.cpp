@@ -30,22 +30,6 @@ template <class Bits>
     bits = (bits | bits << 2) & bits_of_x;
 }
 
-// Others in the place of those numbers for which a comparison was true. Parts on which axes go one by one
-// have no use for this, nor for the next one.
-[[maybe_unused, gnu::always_inline]] inline void choose(FourSigned& numbers, const FourSigned& where,
-                                                        const FourSigned& others) {
-    numbers = (others & where) | (numbers & ~where);
-}
-
-// A point's coordinates: x, y, again y, and z, as these are two pairs that may be read at once.
-[[maybe_unused, gnu::always_inline]] inline void load(FourSigned& numbers, const Point& point) {
-    using Two [[gnu::vector_size(16)]] = std::uint64_t;
-    std::uint64_t pairs[2];
-    __builtin_memcpy(&pairs[0], &point.at[0], sizeof pairs[0]);
-    __builtin_memcpy(&pairs[1], &point.at[1], sizeof pairs[1]);
-    numbers = reinterpret_cast<FourSigned>(Two{pairs[0], pairs[1]});
-}
-
 } // namespace
 
 struct LastOctants::Found {

@@ -69,9 +69,8 @@ class RowWindings {
     const std::uint32_t* inside();
 
   private:
-    static constexpr std::uint32_t behind(std::uint32_t point) { return ~std::uint32_t{1} << point; }
     static std::uint32_t behind(const PlaneStair& last) {
-        return behind(static_cast<std::uint32_t>(last.value()));
+        return ~std::uint32_t{1} << static_cast<std::uint32_t>(last.value());
     }
     // Adds 1, or takes it away from numbers if `down` has all bits, while two planes suffice: of what has
     // outgrown them the sign is wrong.

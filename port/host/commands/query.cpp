@@ -45,12 +45,6 @@ struct Asked {
 
 const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
-std::string numbers_text(const double* numbers, std::size_t count) {
-    std::string text;
-    for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ",") + decimal(numbers[i]);
-    return text;
-}
-
 [[noreturn]] void refuse_outside(const std::string& what, const WorldCube& cube) {
     throw BadInput(what + " outside the root cube, which is " + frame_text(cube) + " (X,Y,Z,SIDE)");
 }
@@ -59,7 +53,7 @@ void ask_point(const Asked& asked, const Question& question) {
     const Point cell = on_lattice(question.at, asked.cube, Rounding::down);
     const PointOutcome found = leaf_at(asked.tree, cell);
     if (found.status == Status::point_off_root) {
-        refuse_outside("the point " + numbers_text(question.at.data(), 3) + " lies", asked.cube);
+        refuse_outside("the point " + decimals(question.at.data(), 3) + " lies", asked.cube);
     }
     require_ok(found.status);
     asked.out << "cell " << point_text(cell) << '\n'
@@ -80,7 +74,7 @@ void ask_box(const Asked& asked, const Question& question) {
     const double* bounds = question.box;
     const CellBox box = {on_lattice({bounds[0], bounds[1], bounds[2]}, asked.cube, Rounding::down),
                          on_lattice({bounds[3], bounds[4], bounds[5]}, asked.cube, Rounding::up)};
-    const std::string text = "the box " + numbers_text(bounds, 6);
+    const std::string text = "the box " + decimals(bounds, 6);
     if (!is_in_root(box)) refuse_outside(text + " reaches", asked.cube);
     const BoxOutcome found = colours_in(asked.tree, box);
     if (found.status == Status::box_empty) {
@@ -129,13 +123,13 @@ std::string parameter_text(const Parameter& parameter) {
 
 // The world point at a parameter, as near as binary64 gets.
 std::string world_text(const Segment& segment, const Parameter& at, const WorldCube& cube) {
-    std::string text;
+    Coordinates world = {};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double length = double{1} * segment.to.at[axis] - segment.from.at[axis];
         const double lattice = segment.from.at[axis] + length * at.numerator / at.denominator;
-        text += (axis == 0 ? "" : ",") + decimal(cube.origin[axis] + lattice * cube.unit());
+        world[axis] = cube.origin[axis] + lattice * cube.unit();
     }
-    return text;
+    return decimals(world.data(), world.size());
 }
 
 std::string crossing_text(const Crossing& crossing, const Segment& segment, const WorldCube& cube) {

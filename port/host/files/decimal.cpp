@@ -26,10 +26,14 @@ std::string decimal(double value) {
     return std::string(text, end);
 }
 
-std::string frame_text(const WorldCube& cube) {
+std::string decimals(const double* values, std::size_t count) {
     std::string text;
-    for (const double coordinate : cube.origin) text += decimal(coordinate) + ',';
-    return text + decimal(cube.side);
+    for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ",") + decimal(values[i]);
+    return text;
+}
+
+std::string frame_text(const WorldCube& cube) {
+    return decimals(cube.origin.data(), cube.origin.size()) + ',' + decimal(cube.side);
 }
 
 std::optional<WorldCube> parse_frame(std::string_view text) {

@@ -18,6 +18,9 @@ bool parse_decimals(std::string_view text, double* values, std::size_t count);
 /// The shortest decimal that reads back as the same binary64.
 std::string decimal(double value);
 
+/// Several of them, in the syntax of parse_decimals.
+std::string decimals(const double* values, std::size_t count);
+
 /// "X,Y,Z,SIDE", the syntax of --frame.
 std::string frame_text(const WorldCube& cube);
 
