@@ -7,21 +7,33 @@ namespace osem {
 
 namespace {
 
-// How many reference points of a row along u are on the left of an edge, row by row. Moved by (e, e^2) the
-// points are to the right of an edge on which they would be.
+// Rays in a row go through points along u, and those of the next row through points further along v. Along x
+// there are rays from all of them, along z only from the first ones along x: so these are one row.
+constexpr int ray_u_of[3] = {axis_y, axis_x, axis_y};
+constexpr int ray_v_of[3] = {axis_z, axis_z, axis_x};
+
+// Whether u, v and the axis are, in that order; else they are left-handed.
+constexpr bool is_right_handed(int axis) { return axis == axis_x; }
+
+// How many reference points of a row along u are on the left of an edge, row by row. Of points on the edge
+// that is said as they are moved: by (e, e^2) to the right of it; by (e^2, e) up, which is to the left of an
+// edge that runs to the right.
 class LeftOfEdge {
   public:
     LeftOfEdge(const SeenEdge& edge, const OctantGrid& grid, int u, int v, int row)
-        : last_(stair(edge, grid, grid.reference().at[u], grid.reference().at[v], row)) {}
+        : last_(stair(edge, grid, grid.reference().at[u], grid.reference().at[v], row,
+                      u > v && edge.run() > 0 ? 1 : 0)) {}
 
+    /// Clipped to the grid, or not necessarily so.
     int count() const { return last_.floor() + 1; }
+    int unclipped_count() const { return last_.value() + 1; }
     void next() { last_.next(); }
 
   private:
     static EdgeStair stair(const SeenEdge& edge, const OctantGrid& grid, std::int32_t u, std::int32_t v,
-                           int row) {
+                           int row, int nudge) {
         return {{edge.rise(), edge.run()},
-                ~scaled(edge.at(u, v), grid.shift) + row * edge.run(),
+                ~scaled(edge.at(u, v) - nudge, grid.shift) + row * edge.run(),
                 grid.side() - 1,
                 clipped((edge.u - u) >> grid.shift, -1, grid.side() - 1)};
     }
@@ -43,8 +55,8 @@ class FaceInGrid::Passages {
     void add(int v, const IndexRange& along_u, std::int32_t winding) {
         if (along_u.empty()) return;
         PlaneStair last = rows_.at(along_u.first, v);
-        // Against the normal, into the solid. (x, z) is left-handed as seen along y.
-        const std::int32_t number = axis_ == axis_y ? winding : -winding;
+        // Against the normal, into the solid.
+        const std::int32_t number = is_right_handed(axis_) ? -winding : winding;
         if (axis_ == axis_x) {
             const auto row = static_cast<std::uint32_t>(grid_.row(along_u.first, v));
             return windings_.add_behind(row, row + along_u.count(), last, number);
@@ -52,7 +64,7 @@ class FaceInGrid::Passages {
         for (int u = along_u.first; u <= along_u.last; ++u, last.next()) {
             if (!last.is_within()) continue;
             const int first = last.floor() + 1;
-            windings_.change_first(axis_ == axis_y ? grid_.row(first, v) : grid_.row(v, first), number);
+            windings_.change_first(axis_ == axis_y ? grid_.row(first, v) : grid_.row(u, first), number);
         }
     }
 
@@ -60,8 +72,8 @@ class FaceInGrid::Passages {
     Passages(const Plane& plane, const OctantGrid& grid, int axis, int guess, int turn, RowWindings& windings)
         : Passages(turn * plane.normal(axis).value(),
                    ~((turn * plane.at(grid.reference()).value() - nudge(plane, turn)) >> grid.shift),
-                   -turn * plane.normal(u_of[axis]).value(), -turn * plane.normal(v_of[axis]).value(), grid,
-                   axis, guess, windings) {}
+                   -turn * plane.normal(ray_u_of[axis]).value(), -turn * plane.normal(ray_v_of[axis]).value(),
+                   grid, axis, guess, windings) {}
     Passages(std::int64_t d, std::int64_t n, std::int64_t by_u, std::int64_t by_v, const OctantGrid& grid,
              int axis, int guess, RowWindings& windings)
         : rows_({d, by_u}, n, by_u, by_v, grid.side() - 1, guess), grid_(grid), axis_(axis),
@@ -86,7 +98,7 @@ void FaceInGrid::pass_all(RowWindings& windings, std::uint32_t* scratch) {
     if (!z.empty()) pass(axis_x, between(axis_y), z, windings, scratch);
     const IndexRange first_x = common(between(axis_x), {0, 0});
     if (first_x.empty()) return;
-    pass(axis_z, first_x, between(axis_y), windings, scratch);
+    pass(axis_z, between(axis_y), first_x, windings, scratch);
     pass(axis_y, first_x, common(z, {0, 0}), windings, scratch);
 }
 
@@ -100,14 +112,17 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
                 : pass_any(axis, along_u, along_v, passages, scratch);
 }
 
-// A row crosses one edge that rises and one that falls.
+// A row crosses one edge that rises and one that falls: which of them is on the left the normal tells.
 void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v,
                              Passages& passages, std::uint32_t* scratch) const {
-    // In each row, how many points are left of the edge that falls, and, from 32 on, of the one that rises;
-    // each row that the face has crosses one of either.
-    auto* const left = reinterpret_cast<std::uint8_t*>(scratch);
-    const int u = u_of[axis];
-    const int v = v_of[axis];
+    static_assert(last_grid_space(4) >= 2 * 16 && last_grid_space(5) >= 2 * 32, "room for both ends of rows");
+    // In each row, how many points are left of the one, and of the other; each row that the face has crosses
+    // one of either.
+    auto* const first = reinterpret_cast<std::int32_t*>(scratch);
+    std::int32_t* const end = first + grid_.side();
+    const int u = ray_u_of[axis];
+    const int v = ray_v_of[axis];
+    const bool turns_left = (plane_.normal(axis).value() > 0) == is_right_handed(axis);
     const Point* a = &solid_.vertices[end_[-1]];
     for (const std::uint32_t* corner = corners_; corner != end_; ++corner) {
         const Point* b = &solid_.vertices[*corner];
@@ -116,17 +131,14 @@ void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRan
         const IndexRange rows = common(grid_.points_between(v, edge.v, edge.end_v), along_v);
         if (rows.empty()) continue;
         LeftOfEdge left_of(edge, grid_, u, v, rows.first);
-        std::uint8_t* const count = edge.rises ? left + 32 : left;
+        std::int32_t* const count = edge.rises == turns_left ? end : first;
         for (int row = rows.first; row <= rows.last; ++row, left_of.next()) {
-            count[row] = static_cast<std::uint8_t>(left_of.count());
+            count[row] = left_of.unclipped_count();
         }
     }
+    const int winding = turns_left ? 1 : -1;
     for (int row = along_v.first; row <= along_v.last; ++row) {
-        const int falling = left[row];
-        const int rising = left[32 + row];
-        const IndexRange seen =
-            falling < rising ? IndexRange{falling, rising - 1} : IndexRange{rising, falling - 1};
-        passages.add(row, common(seen, along_u), falling < rising ? 1 : -1);
+        passages.add(row, common({first[row], end[row] - 1}, along_u), winding);
     }
 }
 
@@ -148,8 +160,8 @@ void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange&
 
 void FaceInGrid::add_ring(std::uint32_t r, int axis, int row, std::int32_t* change) const {
     const Ring ring = solid_.ring(r);
-    const int u = u_of[axis];
-    const int v = v_of[axis];
+    const int u = ray_u_of[axis];
+    const int v = ray_v_of[axis];
     const Point* a = &solid_.vertices[ring.corners[ring.count - 1]];
     for (std::uint32_t corner = 0; corner < ring.count; ++corner) {
         const Point* b = &solid_.vertices[ring.corners[corner]];

@@ -48,13 +48,10 @@ void RowWindings::widen_four(const std::uint32_t* low, const Four& outgrown) {
 
 // The rows' first numbers from their differences.
 void RowWindings::finish(std::int32_t winding) {
-    const auto number = static_cast<std::uint32_t>(winding);
-    if (level_) {
-        for (std::uint32_t row = 0, rows = rows_; row < rows; ++row) first_[row] = number;
-        return;
-    }
+    number_ = static_cast<std::uint32_t>(winding);
+    if (level_) return;
     const std::uint32_t side = std::uint32_t{1} << levels_;
-    first_[0] += number;
+    first_[0] += number_;
     for (std::uint32_t row = 1; row < side; ++row) first_[row] += first_[row - 1];
     const std::uint32_t* before = first_;
     for (std::uint32_t* layer = first_ + side; layer != first_ + rows_; layer += side, before += side) {
@@ -62,42 +59,29 @@ void RowWindings::finish(std::int32_t winding) {
     }
 }
 
-const std::uint32_t* RowWindings::inside() {
-    std::uint32_t* const result = plane(0);
-    const std::uint32_t rows = rows_;
-    if (rule_ == WindingRule::odd) {
-        for (std::uint32_t row = 0; row < rows; ++row) result[row] ^= 0 - (first_[row] & 1U);
-    } else if (rule_ == WindingRule::nonzero) {
-        set_where_not_zero(result);
-    } else {
-        for (std::uint32_t row = 0; row < rows; ++row) result[row] = inside_of(row);
-    }
-    return result;
-}
-
 // What is added to a row's first number is not the number that would make it 0: they differ in any bit, up to
 // the sign, which stands for all above it. No point is at 0 where the planes do not hold that number.
-void RowWindings::set_where_not_zero(std::uint32_t* low) const {
-    const std::uint32_t* const first = first_;
+template <class FirstOf>
+void RowWindings::set_where_not_zero(std::uint32_t* low, FirstOf first_of_row) const {
     const std::uint32_t rows = rows_;
     const unsigned sign_plane = planes_ - 1;
     const std::uint32_t* const sign = plane(sign_plane);
     const std::uint32_t least = std::uint32_t{1} << sign_plane; // below 0 that the planes hold
     std::uint32_t beyond = 0;                                   // bits that no number has which they hold
     for (std::uint32_t row = 0; row < rows; ++row) {
-        const std::uint32_t number = 0 - first[row];
+        const std::uint32_t number = 0 - first_of_row(row);
         beyond |= number + least;
         low[row] = (low[row] ^ (0 - (number & 1U))) | (sign[row] ^ (0 - (number >> 31)));
     }
     for (unsigned b = 1; b < sign_plane; ++b) {
         const std::uint32_t* const bits = plane(b);
         for (std::uint32_t row = 0; row < rows; ++row) {
-            low[row] |= bits[row] ^ (0 - ((0 - first[row]) >> b & 1U));
+            low[row] |= bits[row] ^ (0 - ((0 - first_of_row(row)) >> b & 1U));
         }
     }
     if (beyond >> sign_plane >> 1 == 0) return;
     for (std::uint32_t row = 0; row < rows; ++row) {
-        if ((least - first[row]) >> sign_plane >> 1 != 0) low[row] = ~std::uint32_t{0};
+        if ((least - first_of_row(row)) >> sign_plane >> 1 != 0) low[row] = ~std::uint32_t{0};
     }
 }
 
@@ -105,7 +89,7 @@ void RowWindings::set_where_not_zero(std::uint32_t* low) const {
 // it 0. That is found from the lowest bit up, each bit deciding before all below it; by the sign, greater is
 // what is not below 0.
 std::uint32_t RowWindings::inside_of(std::uint32_t row) const {
-    const auto number = static_cast<std::int32_t>(0 - first_[row]);
+    const auto number = static_cast<std::int32_t>(0 - first_of(row));
     const unsigned sign_plane = planes_ - 1;
     const std::int32_t sign = number < 0 ? -1 : 0;
     if (number >> sign_plane != sign) return static_cast<std::uint32_t>(sign); // beyond the planes
@@ -119,11 +103,28 @@ std::uint32_t RowWindings::inside_of(std::uint32_t row) const {
     return inside;
 }
 
+const std::uint32_t* RowWindings::inside() {
+    std::uint32_t* const result = plane(0);
+    const std::uint32_t rows = rows_;
+    if (rule_ == WindingRule::odd) {
+        for (std::uint32_t row = 0; row < rows; ++row) result[row] ^= 0 - (first_of(row) & 1U);
+    } else if (rule_ == WindingRule::nonzero) {
+        if (level_) {
+            set_where_not_zero(result, [number = number_](std::uint32_t) { return number; });
+        } else {
+            set_where_not_zero(result, [first = first_](std::uint32_t row) { return first[row]; });
+        }
+    } else {
+        for (std::uint32_t row = 0; row < rows; ++row) result[row] = inside_of(row);
+    }
+    return result;
+}
+
 std::int32_t RowWindings::at(std::uint32_t row, unsigned i) const {
     const std::uint32_t sign = rule_ == WindingRule::odd ? 0 : plane(planes_ - 1)[row] >> i & 1U;
     std::uint32_t number = std::uint32_t{0} - sign;
     for (unsigned b = planes_; b-- > 0;) number = number << 1 | (plane(b)[row] >> i & 1U);
-    return static_cast<std::int32_t>(first_[row] + number);
+    return static_cast<std::int32_t>(first_of(row) + number);
 }
 
 } // namespace osem

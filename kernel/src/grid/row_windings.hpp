@@ -27,8 +27,7 @@ class RowWindings {
         : first_(words), room_(room), rows_(std::uint32_t{1} << (2 * levels)), levels_(levels), rule_(rule),
           planes_(rule == WindingRule::odd ? 1 : 2) {
         overflowed_ = words_used() > room_;
-        if (overflowed_) return;
-        set_zero(words, words_used());
+        if (!overflowed_) set_zero(plane(0), planes_ * rows_);
     }
 
     /// Whether the memory was too small: the numbers mean nothing then. If it is so from the beginning
@@ -42,8 +41,9 @@ class RowWindings {
 
     /// The first number of a row differs from the one before it by so much more.
     void change_first(int row, std::int32_t by) {
-        first_[row] += static_cast<std::uint32_t>(by);
+        if (level_) set_zero(first_, rows_);
         level_ = false;
+        first_[row] += static_cast<std::uint32_t>(by);
     }
 
     /// Adds a number to those of rows [row, end) behind where a stair ends, which goes from row to row; to
@@ -104,7 +104,9 @@ class RowWindings {
     void add_to_four(std::uint32_t* low, const Four& added, std::uint32_t down);
     void widen_four(const std::uint32_t* low, const Four& outgrown);
     void widen(std::uint32_t row, std::uint32_t outgrown);
-    void set_where_not_zero(std::uint32_t* low) const;
+    std::uint32_t first_of(std::uint32_t row) const { return level_ ? number_ : first_[row]; }
+    template <class FirstOf>
+    void set_where_not_zero(std::uint32_t* low, FirstOf first_of_row) const;
     std::uint32_t inside_of(std::uint32_t row) const;
 
     std::uint32_t* first_;
@@ -113,7 +115,8 @@ class RowWindings {
     int levels_;
     WindingRule rule_;
     unsigned planes_;
-    bool level_ = true; ///< all differences are 0
+    bool level_ = true;        ///< all rows' first numbers are one: nothing is written for them then
+    std::uint32_t number_ = 0; ///< that of the first point
     bool overflowed_;
 };
 
