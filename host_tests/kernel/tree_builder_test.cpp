@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "support/dense_grid.hpp"
@@ -179,7 +181,8 @@ TreeOutcome plant_greater_subtrees(const DenseGrid& grid, NodePool* pool) {
             may[part] = sets.may;
             must[part] = sets.must;
         }
-        builder.subtree_of_512(child, may, must);
+        const bool has_boundary = !std::equal(may, may + 8, must);
+        builder.subtree_of_512(child, may, has_boundary ? must : may);
     }
     builder.close();
     return builder.finish(4);
@@ -321,13 +324,15 @@ TEST(TreeBuilder, TheGreatestSubtreeNearTheEndOfAPool) {
     constexpr std::uint64_t every_second = 0x5555555555555555;
     const std::uint64_t sets[8] = {every_second, every_second, every_second, every_second,
                                    every_second, every_second, every_second, every_second};
+    const std::uint64_t none[8] = {};
     const Node guard = Node::of(0xf0, 0x3c, 12345);
-    for (std::uint32_t room = 60; room < 90; ++room) {
+    for (std::uint32_t trial = 0; trial < 60; ++trial) {
+        const std::uint32_t room = 60 + trial / 2;
         std::vector<Node> memory(200, guard);
         NodePool pool(memory.data(), room);
         TreeBuilder builder;
         builder.begin(&pool);
-        builder.subtree_of_512(6, sets, sets);
+        builder.subtree_of_512(6, sets, trial % 2 == 0 ? sets : none);
         builder.close();
         const TreeOutcome outcome = builder.finish(4);
         EXPECT_EQ(outcome.nodes_needed, 73U);

@@ -48,8 +48,10 @@ struct RowsInCommon {
 void GridLeaves::set(TreeBuilder& builder) const {
     if (levels <= 2) return set_small(builder);
     if (levels == 3) {
-        const Cube all = cube(0, 0);
-        for (unsigned child = 0; child < 8; ++child) builder.subtree(child, all.may[child], all.must[child]);
+        Cube all;
+        read(all, 0, 0);
+        for (unsigned child = 0; child < 8; ++child)
+            builder.subtree(child, all.may()[child], all.must[child]);
         return;
     }
     note_states();
@@ -95,26 +97,23 @@ void GridLeaves::set_eight_cubes(unsigned octant, TreeBuilder& builder) const {
     for (; left != 0; left = without_lowest(left)) {
         const unsigned child = lowest(left);
         const unsigned row = 8 * (j + (child >> 1 & 1U)) + (8 * (k + (child >> 2)) << levels);
-        const Cube leaves = cube(row, x + 8 * (child & 1U));
-        builder.subtree_of_512(child, leaves.may, leaves.must);
+        Cube cube;
+        read(cube, row, x + 8 * (child & 1U));
+        builder.subtree_of_512(child, cube.may(), cube.must);
     }
 }
 
 // A cube's leaves from its first row on, which it has from x on.
-GridLeaves::Cube GridLeaves::cube(std::uint32_t row, unsigned x) const {
-    Cube leaves = {};
-    eight_in_morton_order(inside + row, x, levels, leaves.must);
-    if (met == nullptr) {
-        for (unsigned part = 0; part < 8; ++part) leaves.may[part] = leaves.must[part];
-        return leaves;
-    }
-    eight_in_morton_order(met + row, x, levels, leaves.may);
+void GridLeaves::read(Cube& cube, std::uint32_t row, unsigned x) const {
+    eight_in_morton_order(inside + row, x, levels, cube.must);
+    cube.has_boundary = met != nullptr;
+    if (!cube.has_boundary) return;
+    eight_in_morton_order(met + row, x, levels, cube.may_or_boundary);
     for (unsigned part = 0; part < 8; ++part) {
-        const std::uint64_t boundary = leaves.may[part];
-        leaves.may[part] |= leaves.must[part];
-        leaves.must[part] &= ~boundary;
+        const std::uint64_t boundary = cube.may_or_boundary[part];
+        cube.may_or_boundary[part] |= cube.must[part];
+        cube.must[part] &= ~boundary;
     }
-    return leaves;
 }
 
 // A grid of 4 x 4 x 4 leaves, or less.

@@ -24,11 +24,15 @@ struct GridLeaves {
     void note_states() const;
     std::uint32_t states_of_cubes(std::uint32_t first_row) const;
     void set_eight_cubes(unsigned octant, TreeBuilder& builder) const;
+    using Parts = std::uint64_t[8];
     struct Cube {
-        std::uint64_t may[8];
-        std::uint64_t must[8];
+        Parts must;
+        Parts may_or_boundary; ///< may, if it has any boundary; the latter while it is read
+        bool has_boundary;
+
+        const Parts& may() const { return has_boundary ? may_or_boundary : must; }
     };
-    Cube cube(std::uint32_t row, unsigned x) const;
+    void read(Cube& cube, std::uint32_t row, unsigned x) const;
     void set_small(TreeBuilder& builder) const;
 };
 

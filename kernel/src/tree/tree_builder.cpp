@@ -58,22 +58,27 @@ struct Written {
 
 // Writes what is below some parts of 64 leaves, then their nodes. How many children are grey is no good
 // guess: so of a part all eight are written, the next one over it if it is a leaf; and then eight parts.
-Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std::uint64_t (&may)[8],
-                    const std::uint64_t (&must)[8]) {
+template <bool is_boundary_free>
+Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std::uint64_t (&all_may)[8],
+                    const std::uint64_t (&all_must)[8]) {
     std::uint8_t part_may[8] = {}; // not as nodes, for the same reason
     std::uint8_t part_must[8] = {};
     NodeIndex part_first[8] = {};
     unsigned count = 0;
     for (std::uint8_t left = grey; left != 0; left = without_lowest(left), ++count) {
         const unsigned part = lowest(left);
-        const std::uint64_t divided = bytes_divided(may[part], must[part]);
-        const std::uint64_t before = divided * 0x0101010101010100; // in each byte, of lower ones
-        Node* const group = nodes + end;
+        const std::uint64_t may = all_may[part];
+        const std::uint64_t must = is_boundary_free ? may : all_must[part];
+        const std::uint64_t divided = bytes_divided(may, must);
+        // Where each child is written, counted in bytes.
+        static_assert(8 * sizeof(Node) < 0x100, "it is a byte");
+        const std::uint64_t places = divided * (sizeof(Node) * 0x0101010101010100);
+        auto* const group = reinterpret_cast<unsigned char*>(nodes + end);
         for (unsigned each = 0; each < 8; ++each) {
-            group[children_of(before, each)] = node_of_eight(may[part], must[part], each);
+            *reinterpret_cast<Node*>(group + children_of(places, each)) = node_of_eight(may, must, each);
         }
-        const Masks masks(may[part], must[part], lowest_of_bytes(divided));
-        const std::uint32_t more = children_of(before + divided, 7);
+        const Masks masks(may, must, lowest_of_bytes(divided));
+        const auto more = static_cast<std::uint32_t>(divided * 0x0101010101010101 >> 56);
         part_may[count] = masks.may;
         part_must[count] = masks.must;
         part_first[count] = more == 0 ? 0 : static_cast<NodeIndex>(end);
@@ -188,23 +193,25 @@ void TreeBuilder::subtree(unsigned child, std::uint64_t may, std::uint64_t must)
     set_child(child, masks.may, masks.must, first);
 }
 
-void TreeBuilder::subtree_of_512(unsigned child, const std::uint64_t (&may)[8],
-                                 const std::uint64_t (&must)[8]) {
+template <bool is_boundary_free>
+void TreeBuilder::subtree_of_parts(unsigned child, const std::uint64_t (&may)[8],
+                                   const std::uint64_t (&must)[8]) {
     OSEM_ASSERT(building_ && level_ + 3 < max_depth && child < 8);
     std::uint32_t divided = 0;
     std::uint32_t leaves_may = 0;
     std::uint32_t leaves_must = 0;
     for (unsigned part = 0; part < 8; ++part) {
-        OSEM_ASSERT((must[part] & ~may[part]) == 0);
-        divided |= std::uint32_t{is_divided(may[part], must[part])} << part;
+        const std::uint64_t part_must = is_boundary_free ? may[part] : must[part];
+        OSEM_ASSERT((part_must & ~may[part]) == 0);
+        divided |= std::uint32_t{is_divided(may[part], part_must)} << part;
         leaves_may |= static_cast<std::uint32_t>(may[part] & 1U) << part;
-        leaves_must |= static_cast<std::uint32_t>(must[part] & 1U) << part;
+        leaves_must |= static_cast<std::uint32_t>(part_must & 1U) << part;
     }
     const auto grey = static_cast<std::uint8_t>(divided);
     const auto uniform_may = static_cast<std::uint8_t>(leaves_may & ~divided);
     const auto uniform_must = static_cast<std::uint8_t>(leaves_must & ~divided);
     if (guesses_cost_much && grey != 0 && writing_ && pool_->capacity() - pool_->used() >= most_of_parts) {
-        const Written written = write_parts(pool_->memory_, pool_->used(), grey, may, must);
+        const Written written = write_parts<is_boundary_free>(pool_->memory_, pool_->used(), grey, may, must);
         NodeIndex first_of_all = 0; // they stand where extend gives room now, which there is
         extend(written.end - pool_->used(), first_of_all);
         return set_child(child, uniform_may, uniform_must | grey, static_cast<NodeIndex>(written.first));
@@ -216,6 +223,12 @@ void TreeBuilder::subtree_of_512(unsigned child, const std::uint64_t (&may)[8],
         subtree(part, may[part], must[part]);
     }
     close();
+}
+
+void TreeBuilder::subtree_of_512(unsigned child, const std::uint64_t (&may)[8],
+                                 const std::uint64_t (&must)[8]) {
+    if (guesses_cost_much && &may == &must) return subtree_of_parts<true>(child, may, must);
+    subtree_of_parts<false>(child, may, must);
 }
 
 void TreeBuilder::close(const Node* like, const Node* or_like) {
