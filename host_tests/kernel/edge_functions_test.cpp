@@ -56,6 +56,7 @@ struct TriangleSeen {
     Triangle2 seen;
     Plane2 place;
     int shift;
+    std::int64_t area = 0;
     int turn = 0;
 
     TriangleSeen(std::mt19937& random, int u, int v) {
@@ -73,13 +74,14 @@ struct TriangleSeen {
             for (std::size_t k = 0; k < 3; ++k) {
                 Point corner;
                 for (std::int32_t& at : corner.at) at = coordinate(0, small_octants - 1);
-                for (int axis = 0; axis < 3; ++axis) {
-                    from_place.corners[k][axis] = corner.at[axis] - from.at[axis];
-                }
+                FourSigned place;
+                load(place, from);
+                load(from_place.corners[k], corner);
+                from_place.corners[k] -= place;
                 seen[k] = {corner.at[u], corner.at[v]};
             }
             place = {from.at[u], from.at[v]};
-            const std::int64_t area = turn_of(seen[0], seen[1], seen[2]);
+            area = turn_of(seen[0], seen[1], seen[2]);
             turn = area > 0 ? 1 : area < 0 ? -1 : 0;
         }
     }
@@ -98,7 +100,7 @@ void compare(EdgeFunctions::Of what, const Expected& expected) {
         const int places = 1 + trial % 32;
         const bool u_first = trial / 3 % 2 == 0; // rows are along u, or along v
         EdgeFunctions edges(triangle.from_place, u_first ? u : v, u_first ? v : u,
-                            u_first ? triangle.turn : -triangle.turn, triangle.shift, what);
+                            u_first ? triangle.area : -triangle.area, triangle.shift, what);
         Four rows = {};
         for (int j = 0; j < 18; ++j) {
             if (j % 4 == 0) edges.see_four(static_cast<std::uint32_t>(places), rows);

@@ -60,13 +60,7 @@ struct TriangleInBox {
     Extent extent() const { return {solid(), corners, corners + 3}; }
     // Its plane as seen from the first octant's lower corner.
     SmallPlane small_plane() const {
-        SmallTriangle from_corner = {};
-        for (int k = 0; k < 3; ++k) {
-            for (int axis = 0; axis < 3; ++axis) {
-                from_corner.corners[k][axis] = points[k].at[axis] - grid.corner.at[axis];
-            }
-        }
-        return SmallPlane(from_corner);
+        return SmallPlane(small_triangle(solid(), corners, grid, FourSigned{}, 0));
     }
     // Whether the triangle is somewhere in a row along x.
     bool has_row(int j, int k) const {

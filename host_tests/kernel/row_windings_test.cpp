@@ -45,7 +45,9 @@ class Numbers {
                 points[r] = is_there ? static_cast<std::uint32_t>(last) : ~std::uint32_t{0};
                 for (int i = last + 1; is_there && i < side_; ++i) at(i, j + r, layer) += number;
             }
-            rows.add_behind(points);
+            Four behind = {};
+            set_bits_above(behind, points);
+            rows.add(behind);
         }
     }
 
@@ -145,21 +147,19 @@ TEST(RowWindings, ANumberWithoutRoom) {
 
 // Nor is there for four rows that outgrow their planes, one of them or all at once.
 TEST(RowWindings, FourRowsWithoutRoom) {
-    const Four all = {};
-    Four some[5] = {all};
-    for (unsigned row = 0; row < 4; ++row) {
-        some[row + 1] = Four{} + ~0U; // nothing is added to the others
-        some[row + 1][row] = 0;
-    }
+    constexpr std::uint32_t behind_first = ~std::uint32_t{1};
+    Four some[5] = {Four{} + behind_first};
+    for (unsigned row = 0; row < 4; ++row)
+        some[row + 1][row] = behind_first; // nothing is added to the others
     for (const Four& points : some) {
         for (const unsigned room : {3U, 4U}) { // for two planes or three, which hold numbers up to 1 or 3
             std::vector<std::uint32_t> words(std::size_t{16} * room);
             RowWindings windings(words.data(), 16 * room, 2, WindingRule::nonzero);
             for (unsigned times = room == 3 ? 1 : 3; times > 0; --times) {
-                RowWindings::FourRows(windings, 4, 1).add_behind(points);
+                RowWindings::FourRows(windings, 4, 1).add(points);
                 EXPECT_FALSE(windings.overflowed());
             }
-            RowWindings::FourRows(windings, 4, 1).add_behind(points);
+            RowWindings::FourRows(windings, 4, 1).add(points);
             EXPECT_TRUE(windings.overflowed());
         }
     }

@@ -1,47 +1,36 @@
 // What a small triangle adds to the winding numbers of a grid's reference points.
 #include "grid/edge_functions.hpp"
 #include "grid/face_in_grid.hpp"
-#include "grid/stair.hpp"
+#include "grid/points_behind.hpp"
 
 namespace osem {
 
 namespace {
 
-// The last points before the plane on rays along an axis, along which it is not seen as a line; as Passages
-// has them, for a normal of 31 bits.
-[[gnu::always_inline]] inline FourStairs last_before(const SmallPlane& plane, int axis, int u, int v,
-                                                     int shift) {
-    const std::int64_t turn = plane.sign(axis);
-    int tie = axis_x; // the first component that is not 0 decides about points on the plane
-    while (plane.normal[tie] == 0) ++tie;
-    const std::int64_t nudge = turn * plane.normal[tie] < 0 ? 1 : 0;
-    return {turn * plane.normal[axis], ~((turn * plane.value - nudge) >> shift), -turn * plane.normal[u],
-            -turn * plane.normal[v]};
-}
-
 // Rays along x: of four rows beside each other in each layer of a range, then of the next four. All of them
-// are in the grid, so that those that the triangle does not have need not be left out. Where it is seen its
-// plane is where it is, so quotients modulo 2^32 are the numbers themselves; elsewhere they do not matter.
-void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const OctantGrid& grid, int y,
-                 int fours, const IndexRange& z, RowWindings& windings) {
-    const int turn = plane.sign(axis_x);
-    EdgeFunctions edges(triangle, axis_z, axis_y, -turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = last_before(plane, axis_x, axis_z, axis_y, grid.shift);
-    const auto most = static_cast<std::uint32_t>(grid.side() - 1);
+// are in the grid, so that those that the triangle does not have need not be left out.
+template <class PointsBehind>
+[[gnu::always_inline]] inline void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane,
+                                               const OctantGrid& grid, int y, int fours, const IndexRange& z,
+                                               PointsBehind& behind, RowWindings& windings) {
+    EdgeFunctions edges(triangle, axis_z, axis_y, -plane.normal[axis_x], grid.shift,
+                        EdgeFunctions::Of::points);
     for (; fours > 0; --fours, y += 4) {
-        RowWindings::FourRows rows(windings, grid.row(y, z.first), -turn);
+        RowWindings::FourRows rows(windings, grid.row(y, z.first), -plane.sign(axis_x));
         edges.begin_four();
-        last.begin_four();
+        behind.begin_four();
         for (std::uint32_t left = z.count(); left != 0; --left) {
             Four outside = {}; // if its sign is set
             edges.outside(outside);
-            outside |= last.values() | (most - 1 - last.values());
-            Four not_there = {};
-            set_where_negative(not_there, outside);
-            rows.add_behind(not_there | last.values());
+            behind.leave_out(outside);
+            Four left_out = {};
+            set_where_negative(left_out, outside);
+            Four points = {};
+            behind.see(points, left_out);
+            rows.add(points);
             rows.next_layer();
             edges.next();
-            last.next();
+            behind.next();
         }
     }
 }
@@ -49,9 +38,14 @@ void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane, const O
 // Rays along z, of the first points along x: of a range along y, four beside each other.
 void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const OctantGrid& grid,
                  const IndexRange& y, RowWindings& windings) {
-    const int turn = plane.sign(axis_z);
-    EdgeFunctions edges(triangle, axis_x, axis_y, turn, grid.shift, EdgeFunctions::Of::points);
-    FourStairs last = last_before(plane, axis_z, axis_x, axis_y, grid.shift);
+    const std::int64_t turn = plane.sign(axis_z);
+    EdgeFunctions edges(triangle, axis_x, axis_y, plane.normal[axis_z], grid.shift,
+                        EdgeFunctions::Of::points);
+    int tie = axis_x; // the first component that is not 0 decides about points on the plane
+    while (plane.normal[tie] == 0) ++tie;
+    const std::int64_t nudge = turn * plane.normal[tie] < 0 ? 1 : 0;
+    FourStairs last(turn * plane.normal[axis_z], ~((turn * plane.value - nudge) >> grid.shift),
+                    -turn * plane.normal[axis_x], -turn * plane.normal[axis_y]);
     for (int j = y.first; j <= y.last; j += 4) {
         Four seen = {};
         edges.see_four(1, seen);
@@ -60,39 +54,92 @@ void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const O
             const std::uint32_t before = last.values()[ray];
             const bool is_within = before < static_cast<std::uint32_t>(grid.side() - 1);
             if (seen[ray] == 0 || !is_within) continue;
-            windings.change_first(grid.row(j + ray, static_cast<int>(before) + 1), -turn);
+            windings.change_first(grid.row(j + ray, static_cast<int>(before) + 1),
+                                  -static_cast<std::int32_t>(turn));
         }
     }
 }
 
+// The last reference points before a triangle's ends along each axis, in the grid or beyond.
+class LastPoints {
+  public:
+    // The corners are told from the first reference point.
+    LastPoints(const SmallTriangle& triangle, const OctantGrid& grid) : most_(grid.side() - 1) {
+        const auto& [a, b, c] = triangle.corners;
+        low_ = a;
+        high_ = a;
+        choose(low_, b < low_, b);
+        choose(high_, b > high_, b);
+        choose(low_, c < low_, c);
+        choose(high_, c > high_, c);
+        lengths_ = reinterpret_cast<Four>((high_ - low_) >> grid.shift);
+        low_ = (low_ - 1) >> grid.shift;
+        high_ = (high_ - 1) >> grid.shift;
+    }
+
+    // Whether it is small.
+    bool are_near() const { return !any(lengths_ & ~(std::uint32_t{small_octants} - 1)); }
+    // Whether it is between two points of the grid along an axis, or around the first one.
+    bool are_in_grid(int axis) const { return high(axis) >= 0 && low(axis) < most_; }
+    bool are_around_first(int axis) const { return low(axis) < 0 && high(axis) >= 0; }
+    // How many points it is around.
+    int around(int axis) const { return high(axis) - low(axis); }
+    // The points of the grid between them.
+    IndexRange between(int axis) const { return {greatest(low(axis) + 1, 0), least(high(axis), most_)}; }
+
+  private:
+    std::int32_t low(int axis) const { return low_[place_of_axis(axis)]; }
+    std::int32_t high(int axis) const { return high_[place_of_axis(axis)]; }
+
+    FourSigned low_;
+    FourSigned high_;
+    Four lengths_;
+    int most_;
+};
+
 } // namespace
 
-// As pass_all; the last reference points before its ends are known. False, and nothing added, if its plane's
-// numbers are too large.
-bool FaceInGrid::pass_small(const Index& low, const Index& high, RowWindings& windings,
-                            std::uint32_t* scratch) {
+// Of a normal that is too large nothing is added.
+bool FaceInGrid::pass_small(const Solid& solid, std::uint32_t face, const OctantGrid& grid,
+                            RowWindings& windings, std::uint32_t* scratch) {
     if (!guesses_cost_much) return false; // so that parts without need have no code of it
-    const int last = grid_.side() - 1;
-    const auto in_grid = [&](int axis) {
-        return IndexRange{greatest(low.at[axis] + 1, 0), least(high.at[axis], last)};
-    };
-    const auto is_crossed = [&](int axis) { return high.at[axis] >= 0 && low.at[axis] < last; };
-    const IndexRange y = in_grid(axis_y);
-    const IndexRange z = in_grid(axis_z);
-    const int fours = fours_of(y);
-    const int first_y = first_of_fours(y, grid_.side());
-    const SmallTriangle triangle = small_triangle(grid_.point(0, first_y, z.first));
-    const SmallPlane plane(triangle);
-    if (!plane.has_31_bits()) return false;
-    if (fours > 0 && !z.empty() && is_crossed(axis_x) && plane.normal[axis_x] != 0) {
-        add_along_x(triangle, plane, grid_, first_y, fours, z, windings);
+    const std::uint32_t* const corners = solid.corners + solid.first_corner(solid.first_ring(face));
+    const std::uint32_t* const end = solid.corners + solid.first_corner(solid.end_ring(face));
+    if (end - corners != 3 || grid.levels < 2) return false;
+    const SmallTriangle triangle = small_triangle(solid, corners, grid, FourSigned{}, grid.offset);
+    const LastPoints last(triangle, grid);
+    if (!last.are_near()) return false;
+    const IndexRange y = last.between(axis_y);
+    const IndexRange z = last.between(axis_z);
+    if (!y.empty() && !z.empty() && last.are_in_grid(axis_x)) {
+        const int fours = fours_of(y);
+        const int first_y = first_of_fours(y, grid.side());
+        const IndexRange x = last.between(axis_x);
+        const int first_x = least(x.first, 32 - PointsBehindBySigns::points);
+        const auto& [a, b, c] = triangle.corners;
+        const FourSigned to_first = FourSigned{first_x, first_y, first_y, z.first} << grid.shift;
+        const SmallTriangle from_first = {{a - to_first, b - to_first, c - to_first}};
+        const SmallPlane plane(from_first);
+        if (!plane.has_31_bits()) return false;
+        const bool is_seen = plane.normal[axis_x] != 0;
+        const bool by_signs = x.last - x.first < PointsBehindBySigns::points &&
+                              PointsBehindBySigns::fit(plane, last.around(axis_x));
+        const auto add = [&](auto&& behind) {
+            add_along_x(from_first, plane, grid, first_y, fours, z, behind, windings);
+        };
+        if (is_seen && by_signs) add(PointsBehindBySigns(plane, grid, first_x));
+        if (is_seen && !by_signs) add(PointsBehindByQuotients(plane, grid, first_x));
     }
-    if (low.at[axis_x] >= 0 || high.at[axis_x] < 0) return true;
-    if (!y.empty() && is_crossed(axis_z) && plane.normal[axis_z] != 0) {
-        const SmallTriangle from_first = small_triangle(grid_.point(0, y.first, 0));
-        add_along_z(from_first, SmallPlane(from_first), grid_, y, windings);
+    if (!last.are_around_first(axis_x)) return true;
+    if (!y.empty() && last.are_in_grid(axis_z)) {
+        const FourSigned first = {0, y.first, y.first, 0};
+        const SmallTriangle from_first = small_triangle(solid, corners, grid, first, grid.offset);
+        const SmallPlane plane(from_first);
+        if (!plane.has_31_bits()) return false;
+        if (plane.normal[axis_z] != 0) add_along_z(from_first, plane, grid, y, windings);
     }
-    pass(axis_y, {0, 0}, common(z, {0, 0}), windings, scratch);
+    if (!last.are_around_first(axis_z)) return true;
+    FaceInGrid(solid, face, grid).pass(axis_y, {0, 0}, {0, 0}, windings, scratch);
     return true;
 }
 

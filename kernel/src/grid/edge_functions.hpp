@@ -19,12 +19,13 @@ class EdgeFunctions {
     enum class Of { points, squares };
 
     /// Rows of places along u from the one on that the triangle's corners are told from, which is a point or
-    /// a square's lower corner. Turn: 1 if the corners are seen to turn to the left, -1 to the right; they
-    /// must turn.
-    EdgeFunctions(const SmallTriangle& triangle, int u, int v, int turn, int shift, Of of)
-        : EdgeFunctions(Seen(triangle.corners[0], u, v),
-                        Seen(triangle.corners[1], triangle.corners[2], turn > 0, u, v),
-                        Seen(triangle.corners[2], triangle.corners[1], turn > 0, u, v), u < v, shift, of) {}
+    /// a square's lower corner. Area: twice that of the triangle as it is seen, above 0 if its corners are
+    /// seen to turn to the left, below if to the right; not 0.
+    [[gnu::always_inline]] EdgeFunctions(const SmallTriangle& triangle, int u, int v, std::int64_t area,
+                                         int shift, Of of)
+        : EdgeFunctions(triangle.corners[0], triangle.corners[1], triangle.corners[2],
+                        (triangle.corners[1] ^ triangle.corners[2]) & static_cast<std::int32_t>(area >> 63),
+                        (area ^ (area >> 63)) - (area >> 63), u, v, shift, of) {}
 
     /// Goes on to the next four rows, the first time to the first ones, and stands at their first places.
     void begin_four() {
@@ -53,17 +54,6 @@ class EdgeFunctions {
     }
 
   private:
-    // A corner as it is seen, or one of two.
-    struct Seen {
-        std::int32_t u;
-        std::int32_t v;
-
-        Seen(const std::int32_t (&corner)[3], int u_axis, int v_axis)
-            : u(corner[u_axis]), v(corner[v_axis]) {}
-        Seen(const std::int32_t (&a)[3], const std::int32_t (&b)[3], bool first, int u_axis, int v_axis)
-            : u(chosen(first, a[u_axis], b[u_axis])), v(chosen(first, a[v_axis], b[v_axis])) {}
-    };
-
     // How far a place is on the inner side of an edge, times its length. Of a square that is said of the
     // corner that is furthest; it is met if that is inside, not if it is on the edge. A point on an edge is
     // inside if the movement leads there.
@@ -71,26 +61,30 @@ class EdgeFunctions {
         Four value; ///< two's complement; below 2^30, with steps over as many places
                     ///< and rows as a box has, 20 at most, as the side is 2^18 at most
         Four now;
-        std::uint32_t by_u;
-        std::uint32_t by_four_rows;
+        Four by_u;
+        Four by_four_rows;
 
-        Edge(const Seen& a, const Seen& b, bool u_first, int shift, Of of) {
-            const std::int32_t step_v = b.u - a.u;
-            const std::int32_t step_u = a.v - b.v;
-            const std::int64_t inside =
-                static_cast<std::int64_t>(a.u) * b.v - static_cast<std::int64_t>(a.v) * b.u;
+        [[gnu::always_inline]] Edge(const FourSigned& a, const FourSigned& b, std::int64_t inside, int u_axis,
+                                    int v_axis, int shift, Of of) {
+            const unsigned u = place_of_axis(u_axis);
+            const unsigned v = place_of_axis(v_axis);
+            const FourSigned to_b = b - a;
+            const std::int32_t step_v = to_b[u];
+            const std::int32_t step_u = -to_b[v];
             std::int64_t at = 0;
             if (of == Of::points) {
                 // Where the step along the first axis is below 0, or it is 0 and the other one is: asked in
                 // one.
+                const bool u_first = u_axis < v_axis;
                 const std::int64_t first = u_first ? step_u : step_v;
                 const bool leads_out = first * (std::int64_t{1} << 32) + (u_first ? step_v : step_u) < 0;
                 at = (inside - (leads_out ? 1 : 0)) >> shift;
             } else {
                 at = ((inside - 1) >> shift) + (step_u > 0 ? step_u : 0) + (step_v > 0 ? step_v : 0);
             }
-            const auto by_v = static_cast<std::uint32_t>(step_v);
-            by_u = static_cast<std::uint32_t>(step_u);
+            Four by_v = {};
+            set_all(by_v, to_b, u);
+            set_all(by_u, a - b, v);
             by_four_rows = 4 * by_v;
             set_multiples(value, by_v);
             value += static_cast<std::uint32_t>(at);
@@ -98,9 +92,23 @@ class EdgeFunctions {
         }
     };
 
-    EdgeFunctions(const Seen& a, const Seen& b, const Seen& c, bool u_first, int shift, Of of)
-        : edges_{Edge(a, b, u_first, shift, of), Edge(b, c, u_first, shift, of),
-                 Edge(c, a, u_first, shift, of)} {}
+    // The second and the third corner change places where they differ. What a place is on the inner sides of
+    // all edges is in sum the area.
+    [[gnu::always_inline]] EdgeFunctions(const FourSigned& a, const FourSigned& b, const FourSigned& c,
+                                         const FourSigned& differing, std::int64_t area, int u, int v,
+                                         int shift, Of of)
+        : EdgeFunctions(a, b ^ differing, c ^ differing, area, inside_of(a, b ^ differing, u, v),
+                        inside_of(b ^ differing, c ^ differing, u, v), u, v, shift, of) {}
+    [[gnu::always_inline]] EdgeFunctions(const FourSigned& a, const FourSigned& b, const FourSigned& c,
+                                         std::int64_t area, std::int64_t of_ab, std::int64_t of_bc, int u,
+                                         int v, int shift, Of of)
+        : edges_{Edge(a, b, of_ab, u, v, shift, of), Edge(b, c, of_bc, u, v, shift, of),
+                 Edge(c, a, area - of_ab - of_bc, u, v, shift, of)} {}
+    [[gnu::always_inline]] static std::int64_t inside_of(const FourSigned& a, const FourSigned& b, int u,
+                                                         int v) {
+        return std::int64_t{a[place_of_axis(u)]} * b[place_of_axis(v)] -
+               std::int64_t{a[place_of_axis(v)]} * b[place_of_axis(u)];
+    }
 
     Edge edges_[3];
 };

@@ -55,10 +55,17 @@ class FaceInGrid {
         // A ray is between the face's ends along both other axes: as those of few small faces are.
         if (int{has_between(axis_x)} + int{has_between(axis_y)} + int{has_between(axis_z)} < 2) return;
         if constexpr (guesses_cost_much) {
-            const Index low = last_points_before(extent_.low);
-            if (is_small() && pass_small(low, last_points_before(extent_.high), windings, scratch)) return;
+            if (is_small() && pass_small(solid_, face_, grid_, windings, scratch)) return;
         }
         pass_all(windings, scratch);
+    }
+
+    /// The same of a face that need not be made one in the grid for that, as small triangles need not. False,
+    /// and nothing added, of others. Precondition: as of making it.
+    static bool has_added_crossings(const Solid& solid, std::uint32_t face, const OctantGrid& grid,
+                                    RowWindings& windings, std::uint32_t* scratch) {
+        if constexpr (guesses_cost_much) return pass_small(solid, face, grid, windings, scratch);
+        return false;
     }
 
   private:
@@ -105,14 +112,6 @@ class FaceInGrid {
         return plane_;
     }
     bool is_convex();
-    // The last reference point before a place along each axis, in the grid or beyond.
-    [[gnu::always_inline]] Index last_points_before(const Point& place) const {
-        Index last = {};
-        for (int axis = 0; axis < 3; ++axis) {
-            last.at[axis] = (place.at[axis] - 1 - (grid_.corner.at[axis] + grid_.offset)) >> grid_.shift;
-        }
-        return last;
-    }
     // Whether there are reference points between its ends along an axis, in the grid or beyond.
     [[gnu::always_inline]] bool has_between(int axis) const {
         const std::int32_t first = grid_.corner.at[axis] + grid_.offset;
@@ -136,13 +135,6 @@ class FaceInGrid {
         const std::int32_t lengths = extent_.length(axis_x) | extent_.length(axis_y) | extent_.length(axis_z);
         return is_triangle() && grid_.levels >= 2 && lengths >> grid_.shift < small_octants;
     }
-    [[gnu::always_inline]] SmallTriangle small_triangle(const Point& from) const {
-        const auto to = [this, &from](unsigned corner, int axis) {
-            return solid_.vertices[corners_[corner]].at[axis] - from.at[axis];
-        };
-        return {
-            {{to(0, 0), to(0, 1), to(0, 2)}, {to(1, 0), to(1, 1), to(1, 2)}, {to(2, 0), to(2, 1), to(2, 2)}}};
-    }
     bool mark_small(const Ranges& range, std::uint32_t* rows, std::uint32_t* scratch) const;
     void mark_all(const Ranges& range, std::uint32_t* rows) const;
     void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
@@ -162,7 +154,8 @@ class FaceInGrid {
     void find_near_rings(std::uint32_t* near_rings) const;
     void find_near_edge(const Point& a, const Point& b, std::uint32_t* near_rings) const;
     void pass_all(RowWindings& windings, std::uint32_t* scratch);
-    bool pass_small(const Index& low, const Index& high, RowWindings& windings, std::uint32_t* scratch);
+    static bool pass_small(const Solid& solid, std::uint32_t face, const OctantGrid& grid,
+                           RowWindings& windings, std::uint32_t* scratch);
     void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
               std::uint32_t* scratch);
     void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,

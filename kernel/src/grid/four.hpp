@@ -30,10 +30,9 @@ inline void set_where_has(Four& result, std::uint32_t bits) {
     result = reinterpret_cast<Four>(((Four{} + bits) & Four{1, 2, 4, 8}) != 0);
 }
 
-/// 0, 1, 2 and 3 times a number.
-inline void set_multiples(Four& result, std::uint32_t number) {
-    const Four once = Four{} + number;
-    result = (once & Four{0, ~0U, 0, ~0U}) + ((once + once) & Four{0, 0, ~0U, ~0U});
+/// 0, 1, 2 and 3 times a number, of which there are four.
+inline void set_multiples(Four& result, const Four& number) {
+    result = (number & Four{0, ~0U, 0, ~0U}) + ((number + number) & Four{0, 0, ~0U, ~0U});
 }
 
 /// Others in the place of those numbers for which a comparison was true.
@@ -72,6 +71,15 @@ inline void load(Four& numbers, const std::uint32_t* from) {
 inline void store(std::uint32_t* to, const Four& numbers) {
     __builtin_memcpy(__builtin_assume_aligned(to, alignof(std::uint32_t)), &numbers, sizeof numbers);
 }
+
+/// The same number four times.
+[[gnu::always_inline]] inline void set_all(Four& result, const FourSigned& numbers, unsigned place) {
+    const std::int32_t number = numbers[place];
+    result = reinterpret_cast<Four>(FourSigned{number, number, number, number});
+}
+
+/// Where a coordinate along an axis is among a point's.
+constexpr unsigned place_of_axis(int axis) { return axis == axis_z ? 3U : static_cast<unsigned>(axis); }
 
 /// A point's coordinates: x, y, again y, and z, as these are two pairs that may be read at once.
 [[gnu::always_inline]] inline void load(FourSigned& numbers, const Point& point) {

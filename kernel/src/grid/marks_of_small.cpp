@@ -33,21 +33,22 @@ bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint3
     const int z_fours = fours_of(range[2]);
     const std::uint32_t z_count = range[2].count();
     const int first_y = first_of_fours(range[1], grid_.side());
-    const SmallTriangle triangle = small_triangle(grid_.at(range[0].first, first_y, range[2].first));
+    const SmallTriangle triangle = small_triangle(
+        solid_, corners_, grid_, FourSigned{range[0].first, first_y, first_y, range[2].first}, 0);
     const SmallPlane plane(triangle);
     PlaneFunction passes(plane, grid_.shift, x_count);
     if (plane.is_line_somewhere() || !passes.fits((extent_.length(axis_x) >> grid_.shift) + 2)) return false;
     std::uint32_t* const x_by_y = scratch;
     std::uint32_t* const x_by_z = x_by_y + 4 * static_cast<std::size_t>(y_fours);
     std::uint32_t* const y_by_z = x_by_z + 4 * static_cast<std::size_t>(z_fours);
-    const auto seen = [&](int u, int v, int turn) {
-        return EdgeFunctions(triangle, u, v, turn, grid_.shift, EdgeFunctions::Of::squares);
+    const auto seen = [&](int u, int v, std::int64_t area) {
+        return EdgeFunctions(triangle, u, v, area, grid_.shift, EdgeFunctions::Of::squares);
     };
-    note_squares(seen(axis_x, axis_y, plane.sign(axis_z)), x_count, y_fours, x_by_y);
+    note_squares(seen(axis_x, axis_y, plane.normal[axis_z]), x_count, y_fours, x_by_y);
     // (x, z) is left-handed.
-    note_squares(seen(axis_x, axis_z, -plane.sign(axis_y)), x_count, z_fours, x_by_z);
+    note_squares(seen(axis_x, axis_z, -plane.normal[axis_y]), x_count, z_fours, x_by_z);
     const IndexRange y = {range[1].first - first_y, range[1].last - first_y};
-    note_squares(seen(axis_y, axis_z, plane.sign(axis_x)), static_cast<std::uint32_t>(y.last + 1), z_fours,
+    note_squares(seen(axis_y, axis_z, plane.normal[axis_x]), static_cast<std::uint32_t>(y.last + 1), z_fours,
                  y_by_z);
     const std::uint32_t all_y = y.bits();
     std::uint32_t* layer = rows + grid_.row(first_y, range[2].first);

@@ -57,7 +57,7 @@ class PlaneFunction {
         const std::int64_t greatest = ((at_corner - 1) >> shift) + rise;
         const std::int64_t end = rise_and_fall_ + ((at_corner - 1) >> shift) - (at_corner >> shift);
         end_ = static_cast<std::uint32_t>(end) + least;
-        set_multiples(at_last_, by_row_);
+        set_multiples(at_last_, Four{} + by_row_);
         at_last_ += static_cast<std::uint32_t>(greatest) + (octants - 1) * by_x_ + least;
     }
 

@@ -129,11 +129,8 @@ class RowWindings::FourRows {
           to_sign_(windings.rows_), to_next_layer_(std::size_t{1} << windings.levels_),
           down_(number > 0 ? 0 : ~std::uint32_t{0}) {}
 
-    /// To those behind a point of each row, of whose number the lowest five bits count: so to none where all
-    /// of these are set.
-    [[gnu::always_inline]] void add_behind(const Four& points) {
-        Four set = {};
-        set_bits_above(set, points);
+    /// To a set of each row's points, which does not have the first one.
+    [[gnu::always_inline]] void add(const Four& set) {
         std::uint32_t* const low_words = low_ + row_;
         if (windings_.planes_ != 2) {
             const Four added = set; // as what is given by reference stays in memory

@@ -4,6 +4,10 @@
 
 #include <cstdint>
 
+#include "grid/four.hpp"
+#include "grid/octant_grid.hpp"
+#include "osem/solid.hpp"
+
 namespace osem {
 
 /// Where wrong guesses at branches cost much, triangles that are less than so many octants long along each
@@ -11,10 +15,27 @@ namespace osem {
 /// edges are to be found, which nobody foresees.
 constexpr std::int32_t small_octants = 16;
 
-/// The corners of such a triangle: how far they are from a place in or beside the box.
+/// The corners of such a triangle: how far they are from a place in or beside the box, along x, y, again y,
+/// and z.
 struct SmallTriangle {
-    std::int32_t corners[3][3];
+    FourSigned corners[3];
 };
+
+/// It, told from the minimum corner of an octant by its indices along x, y, again y, and z, moved by
+/// `further` along each axis.
+[[gnu::always_inline]] inline SmallTriangle small_triangle(const Solid& solid, const std::uint32_t* corners,
+                                                           const OctantGrid& grid, const FourSigned& octant,
+                                                           std::int32_t further) {
+    FourSigned place;
+    load(place, grid.corner);
+    place += (octant << grid.shift) + further;
+    SmallTriangle triangle;
+    for (unsigned k = 0; k < 3; ++k) {
+        load(triangle.corners[k], solid.vertices[corners[k]]);
+        triangle.corners[k] -= place;
+    }
+    return triangle;
+}
 
 /// Its plane, as seen from the place that its corners are told from. Its numbers are those that a Plane has:
 /// see there for their bounds.
@@ -22,14 +43,21 @@ struct SmallPlane {
     std::int64_t normal[3];
     std::int64_t value; ///< at that place
 
-    explicit SmallPlane(const SmallTriangle& triangle) {
-        const auto& [a, b, c] = triangle.corners;
-        const std::int64_t ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-        const std::int64_t vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-        normal[0] = uy * vz - uz * vy;
-        normal[1] = uz * vx - ux * vz;
-        normal[2] = ux * vy - uy * vx;
-        value = -(normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2]);
+    [[gnu::always_inline]] explicit SmallPlane(const SmallTriangle& triangle) {
+        const FourSigned& a = triangle.corners[0];
+        const FourSigned u = triangle.corners[1] - a;
+        const FourSigned v = triangle.corners[2] - a;
+        const auto along = [](const FourSigned& numbers, int axis) -> std::int64_t {
+            return numbers[place_of_axis(axis)];
+        };
+        const auto across = [&](int i, int j) {
+            return along(u, i) * along(v, j) - along(u, j) * along(v, i);
+        };
+        normal[axis_x] = across(axis_y, axis_z);
+        normal[axis_y] = across(axis_z, axis_x);
+        normal[axis_z] = across(axis_x, axis_y);
+        value = -(normal[axis_x] * along(a, axis_x) + normal[axis_y] * along(a, axis_y) +
+                  normal[axis_z] * along(a, axis_z));
     }
 
     bool has_31_bits() const {

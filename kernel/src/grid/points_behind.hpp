@@ -1,0 +1,106 @@
+// Which reference points are behind the plane of a triangle that is small in a grid, on rays along x.
+#ifndef OSEM_GRID_POINTS_BEHIND_HPP
+#define OSEM_GRID_POINTS_BEHIND_HPP
+
+#include <cstdint>
+
+#include "grid/four.hpp"
+#include "grid/octant_grid.hpp"
+#include "grid/small_triangle.hpp"
+#include "grid/stair.hpp"
+
+namespace osem {
+
+/// On rays in four rows beside each other: first in those that the plane's value belongs to, then further
+/// along z; then in the next four. Behind is where the normal points to, or away from if it points back along
+/// x; what is on the plane is behind it. Where the triangle is seen its plane is where it is, so that numbers
+/// modulo 2^32 are the numbers themselves; of other rays nothing is said. There are two ways to it.
+///
+/// By quotients, of which each tells the last point before the plane.
+class PointsBehindByQuotients {
+  public:
+    /// The plane as seen from point `first` along x. Precondition: it is not seen as a line, and has 31 bits.
+    PointsBehindByQuotients(const SmallPlane& plane, const OctantGrid& grid, int first)
+        : PointsBehindByQuotients(plane, plane.sign(axis_x), grid, first) {}
+
+    void begin_four() { last_.begin_four(); }
+    void next() { last_.next(); }
+
+    /// Sets the sign of rays on which all points of the grid are behind, and of some on which none is.
+    void leave_out(Four& rays) const { rays |= last_.values() | (most_ - 1 - last_.values()); }
+    /// A bit for each point behind; for none on rays of which all bits are set.
+    void see(Four& behind, const Four& left_out) const { set_bits_above(behind, left_out | last_.values()); }
+
+  private:
+    PointsBehindByQuotients(const SmallPlane& plane, int turn, const OctantGrid& grid, int first)
+        : last_(turn * plane.normal[axis_x],
+                ~((turn * plane.value) >> grid.shift) + first * turn * plane.normal[axis_x],
+                -turn * plane.normal[axis_z], -turn * plane.normal[axis_y]),
+          most_(static_cast<std::uint32_t>(grid.side() - 1)) {}
+
+    FourStairs last_;
+    std::uint32_t most_;
+};
+
+/// By the sign of the plane's value at some points, where it is known that the plane is nowhere else.
+class PointsBehindBySigns {
+  public:
+    static constexpr int points = 4;
+
+    /// Whether numbers fit for a triangle that is around so many points along x: then its plane is by less
+    /// than `points` more away from those asked.
+    static bool fit(const SmallPlane& plane, std::int64_t around) {
+        const std::int64_t across = plane.normal[axis_x] < 0 ? -plane.normal[axis_x] : plane.normal[axis_x];
+        return across * (around + points) <= INT32_MAX;
+    }
+
+    /// The plane as seen from point `first` along x, which is the first one of those. Preconditions: it is
+    /// not seen as a line, and `fit`; `first` is 32 less `points` at most.
+    PointsBehindBySigns(const SmallPlane& plane, const OctantGrid& grid, int first)
+        : PointsBehindBySigns(plane.sign(axis_x), plane, grid, static_cast<unsigned>(first)) {}
+
+    void begin_four() {
+        now_ = value_;
+        value_ += by_four_rows_;
+    }
+    void next() { now_ += by_z_; }
+
+    void leave_out(Four& rays) const { rays |= ~now_ & first_of_grid_; }
+    void see(Four& behind, const Four& left_out) const {
+        Four value = now_;
+        Four before = {};
+        for (int point = 0; point < points; ++point) {
+            before = before >> 1 | (value & sign);
+            value += by_x_;
+        }
+        behind = ~(before >> down_ | lower_ | left_out);
+    }
+
+  private:
+    static constexpr std::uint32_t sign = std::uint32_t{1} << 31;
+
+    PointsBehindBySigns(int turn, const SmallPlane& plane, const OctantGrid& grid, unsigned first)
+        : by_x_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_x])),
+          by_z_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_z])),
+          first_of_grid_(Four{} + (first == 0 ? sign : 0)),
+          lower_(Four{} + ((std::uint32_t{1} << first) - 1)),
+          down_(32 - static_cast<unsigned>(points) - first) {
+        const Four by_y = Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_y]);
+        set_multiples(value_, by_y);
+        value_ += static_cast<std::uint32_t>((turn * plane.value) >> grid.shift);
+        by_four_rows_ = 4 * by_y;
+    }
+
+    Four value_ = {}; ///< below 0 before the plane, divided by the octants' side and rounded down
+    Four now_ = {};
+    Four by_four_rows_ = {};
+    Four by_x_;
+    Four by_z_;
+    Four first_of_grid_; ///< the sign, if the first point asked is the grid's
+    Four lower_;         ///< points below those asked
+    unsigned down_;
+};
+
+} // namespace osem
+
+#endif
