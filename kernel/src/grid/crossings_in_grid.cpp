@@ -1,4 +1,6 @@
 // What a face adds to the winding numbers of a grid's reference points.
+#include <type_traits>
+
 #include "grid/face_in_grid.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
@@ -24,9 +26,10 @@ class LeftOfEdge {
         : last_(stair(edge, grid, grid.reference().at[u], grid.reference().at[v], row,
                       u > v && edge.run() > 0 ? 1 : 0)) {}
 
-    /// Clipped to the grid, or not necessarily so.
-    int count() const { return last_.floor() + 1; }
-    int unclipped_count() const { return last_.value() + 1; }
+    int count() const { return last_.floor() + 1; } ///< clipped to the grid
+    /// The same to look up later: parts of 64 bits do not clip what they have a word for.
+    using Noted = std::conditional_t<guesses_cost_much, std::int32_t, std::uint8_t>;
+    Noted noted_count() const { return static_cast<Noted>(last_.value() + 1); }
     void next() { last_.next(); }
 
   private:
@@ -118,8 +121,8 @@ void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRan
     static_assert(last_grid_space(4) >= 2 * 16 && last_grid_space(5) >= 2 * 32, "room for both ends of rows");
     // In each row, how many points are left of the one, and of the other; each row that the face has crosses
     // one of either.
-    auto* const first = reinterpret_cast<std::int32_t*>(scratch);
-    std::int32_t* const end = first + grid_.side();
+    auto* const first = reinterpret_cast<LeftOfEdge::Noted*>(scratch);
+    const int end = grid_.side(); // from there on
     const int u = ray_u_of[axis];
     const int v = ray_v_of[axis];
     const bool turns_left = (plane_.normal(axis).value() > 0) == is_right_handed(axis);
@@ -131,14 +134,13 @@ void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRan
         const IndexRange rows = common(grid_.points_between(v, edge.v, edge.end_v), along_v);
         if (rows.empty()) continue;
         LeftOfEdge left_of(edge, grid_, u, v, rows.first);
-        std::int32_t* const count = edge.rises == turns_left ? end : first;
+        LeftOfEdge::Noted* const count = edge.rises == turns_left ? first + end : first;
         for (int row = rows.first; row <= rows.last; ++row, left_of.next()) {
-            count[row] = left_of.unclipped_count();
+            count[row] = left_of.noted_count();
         }
     }
-    const int winding = turns_left ? 1 : -1;
     for (int row = along_v.first; row <= along_v.last; ++row) {
-        passages.add(row, common({first[row], end[row] - 1}, along_u), winding);
+        passages.add(row, common({first[row], first[end + row] - 1}, along_u), turns_left ? 1 : -1);
     }
 }
 

@@ -64,10 +64,10 @@ void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const O
 class LastPoints {
   public:
     // The corners are told from the first reference point.
-    LastPoints(const SmallTriangle& triangle, const OctantGrid& grid) : most_(grid.side() - 1) {
-        const auto& [a, b, c] = triangle.corners;
-        low_ = a;
-        high_ = a;
+    LastPoints(const SmallTriangle& triangle, const OctantGrid& grid)
+        : low_(triangle.corners[0]), high_(triangle.corners[0]), most_(grid.side() - 1) {
+        const FourSigned& b = triangle.corners[1];
+        const FourSigned& c = triangle.corners[2];
         choose(low_, b < low_, b);
         choose(high_, b > high_, b);
         choose(low_, c < low_, c);

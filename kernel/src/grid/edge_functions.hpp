@@ -20,12 +20,12 @@ class EdgeFunctions {
 
     /// Rows of places along u from the one on that the triangle's corners are told from, which is a point or
     /// a square's lower corner. Area: twice that of the triangle as it is seen, above 0 if its corners are
-    /// seen to turn to the left, below if to the right; not 0.
+    /// seen to turn to the left, below if to the right; not 0, and a component of a normal, so below 2^62.
     [[gnu::always_inline]] EdgeFunctions(const SmallTriangle& triangle, int u, int v, std::int64_t area,
                                          int shift, Of of)
         : EdgeFunctions(triangle.corners[0], triangle.corners[1], triangle.corners[2],
-                        (triangle.corners[1] ^ triangle.corners[2]) & static_cast<std::int32_t>(area >> 63),
-                        (area ^ (area >> 63)) - (area >> 63), u, v, shift, of) {}
+                        (triangle.corners[1] ^ triangle.corners[2]) & static_cast<std::int32_t>(area >> 62),
+                        (area ^ (area >> 62)) - (area >> 62), u, v, shift, of) {}
 
     /// Goes on to the next four rows, the first time to the first ones, and stands at their first places.
     void begin_four() {

@@ -54,18 +54,16 @@ class FaceInGrid {
     void add_crossings(RowWindings& windings, std::uint32_t* scratch) {
         // A ray is between the face's ends along both other axes: as those of few small faces are.
         if (int{has_between(axis_x)} + int{has_between(axis_y)} + int{has_between(axis_z)} < 2) return;
-        if constexpr (guesses_cost_much) {
-            if (is_small() && pass_small(solid_, face_, grid_, windings, scratch)) return;
-        }
-        pass_all(windings, scratch);
+        const bool is_passed =
+            guesses_cost_much && is_small() && pass_small(solid_, face_, grid_, windings, scratch);
+        if (!is_passed) pass_all(windings, scratch);
     }
 
     /// The same of a face that need not be made one in the grid for that, as small triangles need not. False,
     /// and nothing added, of others. Precondition: as of making it.
     static bool has_added_crossings(const Solid& solid, std::uint32_t face, const OctantGrid& grid,
                                     RowWindings& windings, std::uint32_t* scratch) {
-        if constexpr (guesses_cost_much) return pass_small(solid, face, grid, windings, scratch);
-        return false;
+        return guesses_cost_much && pass_small(solid, face, grid, windings, scratch);
     }
 
   private:

@@ -279,8 +279,8 @@ void GridConversion::visit_last(const Entry& entry) {
     if (three_valued) set_zero(met, rows);
     RowWindings windings(scratch_ + behind, room_ - behind, last_levels_, options_.winding);
     if (windings.overflowed()) return overflow();
-    std::uint32_t* const space = scratch_ + list_end;
     const auto meet = [&](std::uint32_t number) {
+        std::uint32_t* const space = scratch_ + list_end;
         if (met == nullptr && FaceInGrid::has_added_crossings(solid_, number, grid, windings, space)) return;
         FaceInGrid face(solid_, number, grid);
         if (met != nullptr) face.mark(met, space, windings.spare_words());

@@ -51,7 +51,7 @@ void GridLeaves::set(TreeBuilder& builder) const {
         Cube all;
         read(all, 0, 0);
         for (unsigned child = 0; child < 8; ++child)
-            builder.subtree(child, all.may()[child], all.must[child]);
+            builder.subtree(child, may_of(all)[child], all.must[child]);
         return;
     }
     note_states();
@@ -99,19 +99,18 @@ void GridLeaves::set_eight_cubes(unsigned octant, TreeBuilder& builder) const {
         const unsigned row = 8 * (j + (child >> 1 & 1U)) + (8 * (k + (child >> 2)) << levels);
         Cube cube;
         read(cube, row, x + 8 * (child & 1U));
-        builder.subtree_of_512(child, cube.may(), cube.must);
+        builder.subtree_of_512(child, may_of(cube), cube.must);
     }
 }
 
 // A cube's leaves from its first row on, which it has from x on.
 void GridLeaves::read(Cube& cube, std::uint32_t row, unsigned x) const {
     eight_in_morton_order(inside + row, x, levels, cube.must);
-    cube.has_boundary = met != nullptr;
-    if (!cube.has_boundary) return;
-    eight_in_morton_order(met + row, x, levels, cube.may_or_boundary);
+    if (met == nullptr) return;
+    eight_in_morton_order(met + row, x, levels, cube.may);
     for (unsigned part = 0; part < 8; ++part) {
-        const std::uint64_t boundary = cube.may_or_boundary[part];
-        cube.may_or_boundary[part] |= cube.must[part];
+        const std::uint64_t boundary = cube.may[part];
+        cube.may[part] |= cube.must[part];
         cube.must[part] &= ~boundary;
     }
 }

@@ -26,12 +26,10 @@ struct GridLeaves {
     void set_eight_cubes(unsigned octant, TreeBuilder& builder) const;
     using Parts = std::uint64_t[8];
     struct Cube {
+        Parts may; ///< without boundary nothing: it is `must` then
         Parts must;
-        Parts may_or_boundary; ///< may, if it has any boundary; the latter while it is read
-        bool has_boundary;
-
-        const Parts& may() const { return has_boundary ? may_or_boundary : must; }
     };
+    const Parts& may_of(const Cube& cube) const { return met == nullptr ? cube.must : cube.may; }
     void read(Cube& cube, std::uint32_t row, unsigned x) const;
     void set_small(TreeBuilder& builder) const;
 };

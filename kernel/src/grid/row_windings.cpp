@@ -48,10 +48,16 @@ void RowWindings::widen_four(const std::uint32_t* low, const Four& outgrown) {
 
 // The rows' first numbers from their differences.
 void RowWindings::finish(std::int32_t winding) {
-    number_ = static_cast<std::uint32_t>(winding);
-    if (level_) return;
+    const auto number = static_cast<std::uint32_t>(winding);
+    if (level_) {
+        // Small parts have no room for two ways on from here.
+        const std::uint32_t rows = guesses_cost_much ? 1 : rows_;
+        for (std::uint32_t row = 0; row < rows; ++row) first_[row] = number;
+        level_ = guesses_cost_much;
+        return;
+    }
     const std::uint32_t side = std::uint32_t{1} << levels_;
-    first_[0] += number_;
+    first_[0] += number;
     for (std::uint32_t row = 1; row < side; ++row) first_[row] += first_[row - 1];
     const std::uint32_t* before = first_;
     for (std::uint32_t* layer = first_ + side; layer != first_ + rows_; layer += side, before += side) {
@@ -109,8 +115,8 @@ const std::uint32_t* RowWindings::inside() {
     if (rule_ == WindingRule::odd) {
         for (std::uint32_t row = 0; row < rows; ++row) result[row] ^= 0 - (first_of(row) & 1U);
     } else if (rule_ == WindingRule::nonzero) {
-        if (level_) {
-            set_where_not_zero(result, [number = number_](std::uint32_t) { return number; });
+        if (guesses_cost_much && level_) {
+            set_where_not_zero(result, [number = first_[0]](std::uint32_t) { return number; });
         } else {
             set_where_not_zero(result, [first = first_](std::uint32_t row) { return first[row]; });
         }

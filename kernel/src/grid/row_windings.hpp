@@ -104,7 +104,7 @@ class RowWindings {
     void add_to_four(std::uint32_t* low, const Four& added, std::uint32_t down);
     void widen_four(const std::uint32_t* low, const Four& outgrown);
     void widen(std::uint32_t row, std::uint32_t outgrown);
-    std::uint32_t first_of(std::uint32_t row) const { return level_ ? number_ : first_[row]; }
+    std::uint32_t first_of(std::uint32_t row) const { return first_[level_ ? 0 : row]; }
     template <class FirstOf>
     void set_where_not_zero(std::uint32_t* low, FirstOf first_of_row) const;
     std::uint32_t inside_of(std::uint32_t row) const;
@@ -115,8 +115,7 @@ class RowWindings {
     int levels_;
     WindingRule rule_;
     unsigned planes_;
-    bool level_ = true;        ///< all rows' first numbers are one: nothing is written for them then
-    std::uint32_t number_ = 0; ///< that of the first point
+    bool level_ = true; ///< rows' first numbers are one: only that is written then
     bool overflowed_;
 };
 
