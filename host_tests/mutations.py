@@ -309,7 +309,7 @@ MUTATIONS = [
     ("grid/crossings_of_small.cpp", "|| !is_within) continue;", ") continue;", "crossings of rays along z beside the grid"),
     ("grid/crossings_of_small.cpp", "return low(axis) < 0 && high(axis) >= 0;", "return low(axis) < -1 && high(axis) >= 0;", "rays along z near a triangle's end"),
     ("grid/points_behind.hpp", "rays |= ~now_ & first_of_grid_;", "", "crossings before the first point"),
-    ("grid/points_behind.hpp", "before >> down_ | lower_ | left_out", "before >> down_ | left_out", "points before those that are asked"),
+    ("grid/points_behind.hpp", "Four before = ~Four{};", "Four before = {};", "points before those that are asked"),
     ("grid/points_behind.hpp", "return across * (around + points) <= INT32_MAX;", "return true;", "plane values of more than 32 bits"),
     ("grid/points_behind.hpp", " + first * turn * plane.normal[axis_x]", "", "quotients told from another point"),
     ("grid/edge_functions.hpp", "area - of_ab - of_bc", "area - of_ab + of_bc", "the third edge of a small triangle"),

@@ -68,12 +68,12 @@ class PointsBehindBySigns {
     void leave_out(Four& rays) const { rays |= ~now_ & first_of_grid_; }
     void see(Four& behind, const Four& left_out) const {
         Four value = now_;
-        Four before = {};
+        Four before = ~Four{}; // as the points below those asked are
         for (int point = 0; point < points; ++point) {
             before = before >> 1 | (value & sign);
             value += by_x_;
         }
-        behind = ~(before >> down_ | lower_ | left_out);
+        behind = ~(before >> down_ | left_out);
     }
 
   private:
@@ -83,7 +83,6 @@ class PointsBehindBySigns {
         : by_x_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_x])),
           by_z_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_z])),
           first_of_grid_(Four{} + (first == 0 ? sign : 0)),
-          lower_(Four{} + ((std::uint32_t{1} << first) - 1)),
           down_(32 - static_cast<unsigned>(points) - first) {
         const Four by_y = Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_y]);
         set_multiples(value_, by_y);
@@ -97,7 +96,6 @@ class PointsBehindBySigns {
     Four by_x_;
     Four by_z_;
     Four first_of_grid_; ///< the sign, if the first point asked is the grid's
-    Four lower_;         ///< points below those asked
     unsigned down_;
 };
 
