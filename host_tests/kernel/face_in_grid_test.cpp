@@ -26,8 +26,9 @@ OwnWords own_words(std::size_t count) {
     return words;
 }
 
-// A triangle and a grid that it reaches into: of up to 15 octants along each axis, or of up to 40; many of
-// its corners are on octants' borders, and many triangles at the grid's end or beyond it.
+// A triangle and a grid that it reaches into: of up to 15 octants along each axis, of up to 40, or as thin
+// but as long as the root; many of its corners are on octants' borders, and many triangles at the grid's end
+// or beyond it.
 struct TriangleInGrid {
     OctantGrid grid;
     Point points[3] = {};
@@ -37,6 +38,7 @@ struct TriangleInGrid {
         do {
             for (int axis = 0; axis < 3; ++axis) choose(random, axis);
             if (in(random, 0, 3) == 0) turn_along(in(random, 0, 2));
+            if (in(random, 0, 5) == 0) stretch(random);
         } while (!reaches_in());
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
@@ -75,6 +77,17 @@ struct TriangleInGrid {
                 const std::int32_t at = first + ((point.at[axis] - first) >> grid.shift) * grid.length();
                 if (at >= 0) point.at[axis] = at;
             }
+        }
+    }
+    // Two corners are moved as far, so that the normal stays small.
+    void stretch(std::mt19937& random) {
+        for (int axis = 0; axis < 3; ++axis) {
+            std::int32_t by = in(random, -root_side, root_side);
+            for (unsigned k = 1; k < 3; ++k) {
+                const std::int32_t at = points[k].at[axis];
+                by = std::clamp(by, -at, root_side - at);
+            }
+            for (unsigned k = 1; k < 3; ++k) points[k].at[axis] += by;
         }
     }
     bool reaches_in() const {
@@ -167,6 +180,25 @@ TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
         }
     }
     EXPECT_GT(crossed, 2000U);
+}
+
+// Of a thin triangle along the diagonal of a layer, in a grid that is 8192 octants beside it, but within its
+// ends: of points there the numbers that tell on which side of two of its edges they are have 33 bits.
+TEST(FaceInGrid, LongTrianglesBesideIt) {
+    constexpr std::int32_t far = root_side / 2;
+    const Point points[3] = {{{40, 0, 0}}, {{40, far, far}}, {{40, far + 1, far}}};
+    const std::uint32_t corners[3] = {0, 1, 2};
+    const Solid solid = {points, 3, corners, 3, nullptr, nullptr, 1};
+    for (std::int32_t beside = 8192 - 32; beside <= 8192 + 32; beside += 32) {
+        const OctantGrid grid = {Point{{32, 64, 64 + beside}}, 0, 0, 5};
+        const OwnWords numbers = own_words(std::size_t{3} * 1024);
+        const OwnWords scratch = own_words(last_grid_space(5));
+        RowWindings windings(numbers.get(), 3 * 1024, 5, WindingRule::nonzero);
+        const bool has_added = FaceInGrid::has_added_crossings(solid, 0, grid, windings, scratch.get());
+        if (!has_added) FaceInGrid(solid, 0, grid).add_crossings(windings, scratch.get());
+        windings.finish(0);
+        for (std::uint32_t row = 0; row < 1024; ++row) ASSERT_EQ(windings.at(row, 31), 0) << row;
+    }
 }
 
 } // namespace

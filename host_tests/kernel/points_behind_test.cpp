@@ -111,6 +111,9 @@ int compare(PointsBehind behind, const TriangleAtPoints& triangle) {
                 const bool none_or_all = bits == 0 || bits == all;
                 EXPECT_TRUE(is_left_out ? none_or_all : bits != all) << j + row << ", " << k;
                 EXPECT_TRUE(is_left_out || (points[row] & all) == bits) << j + row << ", " << k;
+                // What the grid does not have may be as its last point is.
+                const bool has_last = (bits >> (grid.side() - 1)) != 0;
+                EXPECT_TRUE(is_left_out || has_last || points[row] <= all) << j + row << ", " << k;
                 ++rays;
             }
         }
@@ -128,15 +131,14 @@ TEST(PointsBehind, AreThoseWhereThePlanesValueIsNotBelow0) {
         const int low = triangle.last_before(false);
         const int high = triangle.last_before(true);
         if (high < 0 || low >= grid.side() - 1) continue; // no ray passes between points
-        const int first = std::max(low + 1, 0);
-        const int from = std::min(first, 32 - PointsBehindBySigns::points);
+        const IndexRange x = {std::max(low + 1, 0), std::min(high, grid.side() - 1)};
+        const int from = PointsBehindBySigns::first_of(x);
         const SmallPlane plane(
             small_triangle(triangle.solid(), triangle.corners, grid, FourSigned{from, 0, 0, 0}, grid.offset));
         if (plane.normal[axis_x] == 0) continue;
         if (plane.has_31_bits())
             by_quotients += compare(PointsBehindByQuotients(plane, grid, from), triangle);
-        if (std::min(high, grid.side() - 1) - first < PointsBehindBySigns::points &&
-            PointsBehindBySigns::fit(plane, high - low)) {
+        if (PointsBehindBySigns::suffice(plane, x, high - low)) {
             by_signs += compare(PointsBehindBySigns(plane, grid, from), triangle);
         }
     }

@@ -9,13 +9,16 @@ namespace osem {
 
 namespace {
 
-// Rays in a row go through points along u, and those of the next row through points further along v. Along x
-// there are rays from all of them, along z only from the first ones along x: so these are one row.
+// Rays in a row go through points along u, and those of the next row through points further along v. Rays
+// along x there are from all points; rays along z only from the first ones along x, which so are one row.
 constexpr int ray_u_of[3] = {axis_y, axis_x, axis_y};
 constexpr int ray_v_of[3] = {axis_z, axis_z, axis_x};
 
 // Whether u, v and the axis are, in that order; else they are left-handed.
 constexpr bool is_right_handed(int axis) { return axis == axis_x; }
+
+// Whether points are moved further along v than along u: along the lower axis they are moved furthest.
+constexpr bool is_moved_up(int u, int v) { return u > v; }
 
 // How many reference points of a row along u are on the left of an edge, row by row. Of points on the edge
 // that is said as they are moved: by (e, e^2) to the right of it; by (e^2, e) up, which is to the left of an
@@ -24,10 +27,10 @@ class LeftOfEdge {
   public:
     LeftOfEdge(const SeenEdge& edge, const OctantGrid& grid, int u, int v, int row)
         : last_(stair(edge, grid, grid.reference().at[u], grid.reference().at[v], row,
-                      u > v && edge.run() > 0 ? 1 : 0)) {}
+                      is_moved_up(u, v) && edge.run() > 0 ? 1 : 0)) {}
 
     int count() const { return last_.floor() + 1; } ///< clipped to the grid
-    /// The same to look up later: parts of 64 bits do not clip what they have a word for.
+    /// The same to be written down: small parts do that in bytes, for which it must be clipped.
     using Noted = std::conditional_t<guesses_cost_much, std::int32_t, std::uint8_t>;
     Noted noted_count() const { return static_cast<Noted>(last_.value() + 1); }
     void next() { last_.next(); }
@@ -82,11 +85,10 @@ class FaceInGrid::Passages {
         : rows_({d, by_u}, n, by_u, by_v, grid.side() - 1, guess), grid_(grid), axis_(axis),
           windings_(windings) {}
 
-    // The first component of the normal that is not 0 decides about points on the plane.
+    // What is on the plane may come to be before it.
     static int nudge(const Plane& plane, int turn) {
-        int tie = axis_x;
-        while (plane.normal(tie).value() == 0) ++tie;
-        return turn * plane.normal(tie).sign() < 0 ? 1 : 0;
+        const auto along = [&](int axis) { return turn * plane.normal(axis).value(); };
+        return moves_against(along(axis_x), along(axis_y), along(axis_z)) ? 1 : 0;
     }
 
     OverPlane<PlaneStair> rows_; // the last points before the plane

@@ -41,11 +41,11 @@ void add_along_z(const SmallTriangle& triangle, const SmallPlane& plane, const O
     const std::int64_t turn = plane.sign(axis_z);
     EdgeFunctions edges(triangle, axis_x, axis_y, plane.normal[axis_z], grid.shift,
                         EdgeFunctions::Of::points);
-    int tie = axis_x; // the first component that is not 0 decides about points on the plane
-    while (plane.normal[tie] == 0) ++tie;
-    const std::int64_t nudge = turn * plane.normal[tie] < 0 ? 1 : 0;
-    FourStairs last(turn * plane.normal[axis_z], ~((turn * plane.value - nudge) >> grid.shift),
-                    -turn * plane.normal[axis_x], -turn * plane.normal[axis_y]);
+    const std::int64_t along_x = turn * plane.normal[axis_x];
+    const std::int64_t along_y = turn * plane.normal[axis_y];
+    const std::int64_t along_z = turn * plane.normal[axis_z];
+    const int nudge = moves_against(along_x, along_y, along_z) ? 1 : 0;
+    FourStairs last(along_z, ~((turn * plane.value - nudge) >> grid.shift), -along_x, -along_y);
     for (int j = y.first; j <= y.last; j += 4) {
         Four seen = {};
         edges.see_four(1, seen);
@@ -115,15 +115,14 @@ bool FaceInGrid::pass_small(const Solid& solid, std::uint32_t face, const Octant
         const int fours = fours_of(y);
         const int first_y = first_of_fours(y, grid.side());
         const IndexRange x = last.between(axis_x);
-        const int first_x = least(x.first, 32 - PointsBehindBySigns::points);
+        const int first_x = PointsBehindBySigns::first_of(x);
         const auto& [a, b, c] = triangle.corners;
         const FourSigned to_first = FourSigned{first_x, first_y, first_y, z.first} << grid.shift;
         const SmallTriangle from_first = {{a - to_first, b - to_first, c - to_first}};
         const SmallPlane plane(from_first);
         if (!plane.has_31_bits()) return false;
         const bool is_seen = plane.normal[axis_x] != 0;
-        const bool by_signs = x.last - x.first < PointsBehindBySigns::points &&
-                              PointsBehindBySigns::fit(plane, last.around(axis_x));
+        const bool by_signs = PointsBehindBySigns::suffice(plane, x, last.around(axis_x));
         const auto add = [&](auto&& behind) {
             add_along_x(from_first, plane, grid, first_y, fours, z, behind, windings);
         };

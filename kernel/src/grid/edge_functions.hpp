@@ -20,7 +20,8 @@ class EdgeFunctions {
 
     /// Rows of places along u from the one on that the triangle's corners are told from, which is a point or
     /// a square's lower corner. Area: twice that of the triangle as it is seen, above 0 if its corners are
-    /// seen to turn to the left, below if to the right; not 0, and a component of a normal, so below 2^62.
+    /// seen to turn to the left, below if to the right; not 0. It is a component of its plane's normal, so
+    /// below 2^62.
     [[gnu::always_inline]] EdgeFunctions(const SmallTriangle& triangle, int u, int v, std::int64_t area,
                                          int shift, Of of)
         : EdgeFunctions(triangle.corners[0], triangle.corners[1], triangle.corners[2],

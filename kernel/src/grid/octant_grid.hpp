@@ -85,6 +85,12 @@ constexpr int first_of_fours(const IndexRange& rows, int side) {
     return least(rows.first, side - 4 * fours_of(rows));
 }
 
+/// Whether a point on a plane, moved by (e, e^2, e^3) as reference points are, comes to be where its normal
+/// points away from: the first component that is not 0 decides.
+constexpr bool moves_against(std::int64_t normal_x, std::int64_t normal_y, std::int64_t normal_z) {
+    return (normal_x != 0 ? normal_x : normal_y != 0 ? normal_y : normal_z) < 0;
+}
+
 constexpr IndexRange common(const IndexRange& a, const IndexRange& b) {
     return {a.first > b.first ? a.first : b.first, a.last < b.last ? a.last : b.last};
 }

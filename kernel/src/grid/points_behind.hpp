@@ -28,7 +28,8 @@ class PointsBehindByQuotients {
 
     /// Sets the sign of rays on which all points of the grid are behind, and of some on which none is.
     void leave_out(Four& rays) const { rays |= last_.values() | (most_ - 1 - last_.values()); }
-    /// A bit for each point behind; for none on rays of which all bits are set.
+    /// A bit for each point behind; for none on rays of which all bits are set. There may be bits above those
+    /// of the grid if its last point is behind.
     void see(Four& behind, const Four& left_out) const { set_bits_above(behind, left_out | last_.values()); }
 
   private:
@@ -47,15 +48,17 @@ class PointsBehindBySigns {
   public:
     static constexpr int points = 4;
 
-    /// Whether numbers fit for a triangle that is around so many points along x: then its plane is by less
-    /// than `points` more away from those asked.
-    static bool fit(const SmallPlane& plane, std::int64_t around) {
+    /// The first one of those, of a triangle that is around these points of a grid along x.
+    static int first_of(const IndexRange& x) { return least(x.first, 32 - points); }
+    /// Whether they are all of these points, and numbers fit, where the triangle is around so many points in
+    /// the grid or beyond: from a crossing to a point asked it is less than `points` octants more than that.
+    static bool suffice(const SmallPlane& plane, const IndexRange& x, std::int64_t around) {
         const std::int64_t across = plane.normal[axis_x] < 0 ? -plane.normal[axis_x] : plane.normal[axis_x];
-        return across * (around + points) <= INT32_MAX;
+        return x.last - x.first < points && across * (around + points) <= INT32_MAX;
     }
 
-    /// The plane as seen from point `first` along x, which is the first one of those. Preconditions: it is
-    /// not seen as a line, and `fit`; `first` is 32 less `points` at most.
+    /// The plane as seen from point `first` along x, which is `first_of`. Preconditions: it is not seen as a
+    /// line, and they suffice.
     PointsBehindBySigns(const SmallPlane& plane, const OctantGrid& grid, int first)
         : PointsBehindBySigns(plane.sign(axis_x), plane, grid, static_cast<unsigned>(first)) {}
 
@@ -73,7 +76,7 @@ class PointsBehindBySigns {
             before = before >> 1 | (value & sign);
             value += by_x_;
         }
-        behind = ~(before >> down_ | left_out);
+        behind = ~(before >> down_ | beyond_grid_ | left_out);
     }
 
   private:
@@ -82,7 +85,7 @@ class PointsBehindBySigns {
     PointsBehindBySigns(int turn, const SmallPlane& plane, const OctantGrid& grid, unsigned first)
         : by_x_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_x])),
           by_z_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_z])),
-          first_of_grid_(Four{} + (first == 0 ? sign : 0)),
+          first_of_grid_(Four{} + (first == 0 ? sign : 0)), beyond_grid_(Four{} + (~1U << (grid.side() - 1))),
           down_(32 - static_cast<unsigned>(points) - first) {
         const Four by_y = Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_y]);
         set_multiples(value_, by_y);
@@ -96,6 +99,7 @@ class PointsBehindBySigns {
     Four by_x_;
     Four by_z_;
     Four first_of_grid_; ///< the sign, if the first point asked is the grid's
+    Four beyond_grid_;   ///< the bits that stand for none of its points
     unsigned down_;
 };
 

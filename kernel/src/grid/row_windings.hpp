@@ -115,7 +115,7 @@ class RowWindings {
     int levels_;
     WindingRule rule_;
     unsigned planes_;
-    bool level_ = true; ///< rows' first numbers are one: only that is written then
+    bool level_ = true; ///< rows' first numbers are equal: only the first one is valid, when all is added
     bool overflowed_;
 };
 

@@ -21,8 +21,8 @@ struct SmallTriangle {
     FourSigned corners[3];
 };
 
-/// It, told from the minimum corner of an octant by its indices along x, y, again y, and z, moved by
-/// `further` along each axis.
+/// Tells a triangle from the minimum corner of an octant, which is given by its indices along x, y, again y,
+/// and z, moved by `further` along each axis.
 [[gnu::always_inline]] inline SmallTriangle small_triangle(const Solid& solid, const std::uint32_t* corners,
                                                            const OctantGrid& grid, const FourSigned& octant,
                                                            std::int32_t further) {
