@@ -50,8 +50,8 @@ void GridLeaves::set(TreeBuilder& builder) const {
     if (levels == 3) {
         Cube all;
         read(all, 0, 0);
-        for (unsigned child = 0; child < 8; ++child)
-            builder.subtree(child, may_of(all)[child], all.must[child]);
+        const Parts& may = may_of(all);
+        for (unsigned child = 0; child < 8; ++child) builder.subtree(child, may[child], all.must[child]);
         return;
     }
     note_states();

@@ -33,7 +33,7 @@ class PointsBehindByQuotients {
     void see(Four& behind, const Four& left_out) const { set_bits_above(behind, left_out | last_.values()); }
 
   private:
-    PointsBehindByQuotients(const SmallPlane& plane, int turn, const OctantGrid& grid, int first)
+    PointsBehindByQuotients(const SmallPlane& plane, std::int64_t turn, const OctantGrid& grid, int first)
         : last_(turn * plane.normal[axis_x],
                 ~((turn * plane.value) >> grid.shift) + first * turn * plane.normal[axis_x],
                 -turn * plane.normal[axis_z], -turn * plane.normal[axis_y]),
