@@ -74,10 +74,10 @@ struct TriangleSeen {
             for (std::size_t k = 0; k < 3; ++k) {
                 Point corner;
                 for (std::int32_t& at : corner.at) at = coordinate(0, small_octants - 1);
-                FourSigned place;
-                load(place, from);
+                FourSigned origin;
+                load(origin, from);
                 load(from_place.corners[k], corner);
-                from_place.corners[k] -= place;
+                from_place.corners[k] -= origin;
                 seen[k] = {corner.at[u], corner.at[v]};
             }
             place = {from.at[u], from.at[v]};
