@@ -85,7 +85,8 @@ class PointsBehindBySigns {
     PointsBehindBySigns(int turn, const SmallPlane& plane, const OctantGrid& grid, unsigned first)
         : by_x_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_x])),
           by_z_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_z])),
-          first_of_grid_(Four{} + (first == 0 ? sign : 0)), beyond_grid_(Four{} + (~1U << (grid.side() - 1))),
+          first_of_grid_(Four{} + (first == 0 ? sign : 0)),
+          beyond_grid_(Four{} + ~(~std::uint32_t{0} >> (32 - grid.side()))),
           down_(32 - static_cast<unsigned>(points) - first) {
         const Four by_y = Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_y]);
         set_multiples(value_, by_y);
