@@ -71,15 +71,17 @@ struct TriangleSeen {
         while (turn == 0) {
             Point from;
             for (std::int32_t& at : from.at) at = coordinate(-4, small_octants);
+            FourSigned corners[3];
             for (std::size_t k = 0; k < 3; ++k) {
                 Point corner;
                 for (std::int32_t& at : corner.at) at = coordinate(0, small_octants - 1);
-                FourSigned origin;
-                load(origin, from);
-                load(from_place.corners[k], corner);
-                from_place.corners[k] -= origin;
+                load(corners[k], corner);
                 seen[k] = {corner.at[u], corner.at[v]};
             }
+            load(from_place.corner, from);
+            from_place.corner = corners[0] - from_place.corner;
+            from_place.to_second = corners[1] - corners[0];
+            from_place.to_third = corners[2] - corners[0];
             place = {from.at[u], from.at[v]};
             area = turn_of(seen[0], seen[1], seen[2]);
             turn = area > 0 ? 1 : area < 0 ? -1 : 0;
@@ -87,49 +89,96 @@ struct TriangleSeen {
     }
 };
 
-template <class Expected>
-void compare(EdgeFunctions::Of what, const Expected& expected) {
-    std::mt19937 random(3);
-    int had = 0;
-    int looked_at = 0;
-    for (int trial = 0; trial < 6000; ++trial) {
-        const int axis = trial % 3;
-        const int u = u_of[axis];
-        const int v = v_of[axis];
-        const TriangleSeen triangle(random, u, v);
-        const int places = 1 + trial % 32;
-        const bool u_first = trial / 3 % 2 == 0; // rows are along u, or along v
-        EdgeFunctions edges(triangle.from_place, u_first ? u : v, u_first ? v : u,
-                            u_first ? triangle.area : -triangle.area, triangle.shift, what);
-        Four rows = {};
-        for (int j = 0; j < 18; ++j) {
-            if (j % 4 == 0) edges.see_four(static_cast<std::uint32_t>(places), rows);
-            const std::uint32_t row = rows[j % 4];
-            ASSERT_EQ(std::uint64_t{row} >> places, 0U);
-            looked_at += places;
-            for (int i = 0; i < places; ++i) {
-                const bool has = (row >> i & 1U) != 0;
-                const Plane2 place = {triangle.place[0] + (std::int64_t{u_first ? i : j} << triangle.shift),
-                                      triangle.place[1] + (std::int64_t{u_first ? j : i} << triangle.shift)};
-                ASSERT_EQ(has, expected(triangle, place)) << trial << ": " << i << ", " << j;
-                had += has ? 1 : 0;
+// What is seen along axes u and v of so many triangles, in rows along one of them.
+class Comparison {
+  public:
+    template <int u, int v, bool along_u, class Expected>
+    void see(SeenPlaces what, const Expected& expected) {
+        for (int trial = 0; trial < 1000 && !testing::Test::HasFatalFailure(); ++trial) {
+            const TriangleSeen triangle(random_, u, v);
+            const int places = 1 + trial % 32;
+            EdgeFunctions<along_u ? u : v, along_u ? v : u> edges(
+                triangle.from_place, along_u ? triangle.area : -triangle.area, triangle.shift, what);
+            for (int j = 0; j < 18; j += 4, edges.next_four()) {
+                Four rows = {};
+                edges.see(static_cast<std::uint32_t>(places), rows);
+                for (int row = 0; row < 4; ++row)
+                    compare(triangle, along_u, places, j + row, rows[row], expected);
             }
         }
     }
-    EXPECT_GT(had, looked_at / 100);
-    EXPECT_LT(had, looked_at / 2);
+    // What is seen is neither nothing nor everything.
+    void expect_both() const {
+        EXPECT_GT(had_, looked_at_ / 100);
+        EXPECT_LT(had_, looked_at_ / 2);
+    }
+
+  private:
+    template <class Expected>
+    void compare(const TriangleSeen& triangle, bool along_u, int places, int j, std::uint32_t row,
+                 const Expected& expected) {
+        ASSERT_EQ(std::uint64_t{row} >> places, 0U);
+        looked_at_ += places;
+        for (int i = 0; i < places; ++i) {
+            const bool has = (row >> i & 1U) != 0;
+            const Plane2 place = {triangle.place[0] + (std::int64_t{along_u ? i : j} << triangle.shift),
+                                  triangle.place[1] + (std::int64_t{along_u ? j : i} << triangle.shift)};
+            ASSERT_EQ(has, expected(triangle, place)) << i << ", " << j;
+            had_ += has ? 1 : 0;
+        }
+    }
+
+    std::mt19937 random_{3};
+    int had_ = 0;
+    int looked_at_ = 0;
+};
+
+template <class Expected>
+void compare(SeenPlaces what, const Expected& expected) {
+    Comparison comparison;
+    comparison.see<axis_x, axis_y, true>(what, expected);
+    comparison.see<axis_x, axis_y, false>(what, expected);
+    comparison.see<axis_x, axis_z, true>(what, expected);
+    comparison.see<axis_x, axis_z, false>(what, expected);
+    comparison.see<axis_y, axis_z, true>(what, expected);
+    comparison.see<axis_y, axis_z, false>(what, expected);
+    comparison.expect_both();
 }
 
 TEST(EdgeFunctions, TellPointsInside) {
-    compare(EdgeFunctions::Of::points, [](const TriangleSeen& triangle, const Plane2& point) {
+    compare(SeenPlaces::points, [](const TriangleSeen& triangle, const Plane2& point) {
         return has_point(triangle.seen, point, triangle.turn);
     });
 }
 
 TEST(EdgeFunctions, TellSquaresThatNoEdgeSeparates) {
-    compare(EdgeFunctions::Of::squares, [](const TriangleSeen& triangle, const Plane2& corner) {
+    compare(SeenPlaces::squares, [](const TriangleSeen& triangle, const Plane2& corner) {
         return meets_square(triangle.seen, corner, std::int64_t{1} << triangle.shift, triangle.turn);
     });
+}
+
+// The fourth function is negated where the edges' functions are, and then rounded down.
+TEST(EdgeFunctions, GoOnWithAFourthOne) {
+    std::mt19937 random(5);
+    const auto number = [&random](std::int64_t most) {
+        return std::uniform_int_distribution<std::int64_t>(-most, most)(random);
+    };
+    for (int trial = 0; trial < 2000; ++trial) {
+        const TriangleSeen triangle(random, axis_y, axis_z);
+        const LinearFunction fourth = {number(std::int64_t{1} << 40), number(1 << 20), number(1 << 20)};
+        EdgeFunctions<axis_y, axis_z> edges(triangle.from_place, triangle.area, triangle.shift,
+                                            SeenPlaces::points, fourth);
+        for (int j = 0; j < 12; j += 4, edges.next_four()) {
+            for (int i = 0; i < 5; ++i, edges.next()) {
+                for (int row = 0; row < 4; ++row) {
+                    const std::int64_t steps = fourth.by_u * i + fourth.by_v * (j + row);
+                    const std::int64_t value =
+                        ((triangle.turn * fourth.value) >> triangle.shift) + triangle.turn * steps;
+                    ASSERT_EQ(edges.fourth()[row], static_cast<std::uint32_t>(value)) << trial << ": " << i;
+                }
+            }
+        }
+    }
 }
 
 } // namespace

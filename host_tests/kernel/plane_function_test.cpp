@@ -112,7 +112,7 @@ TEST(PlaneFunction, TellsWhereThePlanePassesInRowsThatTheTriangleHas) {
 
 // A triangle as large as there are: its plane's numbers have more than 32 bits.
 TEST(PlaneFunction, DoesNotFitTheLargestNumbers) {
-    const SmallTriangle triangle = {{{0, 0, 1}, {15 << 15, 3, 2}, {5, 15 << 15, 7}}};
+    const SmallTriangle triangle = {{0, 0, 0, 1}, {15 << 15, 3, 3, 1}, {5, 15 << 15, 15 << 15, 6}};
     EXPECT_FALSE(PlaneFunction(SmallPlane(triangle), 15, 15).fits(17));
 }
 
@@ -134,7 +134,7 @@ TEST(SmallPlane, IsThePlaneOfTheFace) {
             EXPECT_EQ(small_plane.sign(axis) < 0, normal < 0);
         }
         EXPECT_EQ(small_plane.is_line_somewhere(), is_line);
-        EXPECT_EQ(small_plane.has_31_bits(), has_31_bits);
+        EXPECT_EQ(small_plane.has_31_bits(triangle.grid.shift), has_31_bits);
     }
 }
 

@@ -89,19 +89,22 @@ class RaysSeen {
 
 // Rays that were compared.
 template <class PointsBehind>
-int compare(PointsBehind behind, const TriangleAtPoints& triangle) {
+int compare(PointsBehind behind, const TriangleAtPoints& triangle, const SmallTriangle& from_first,
+            const SmallPlane& plane) {
     const OctantGrid& grid = triangle.grid;
+    EdgeFunctions<axis_z, axis_y> edges(from_first, -plane.normal[axis_x], grid.shift, SeenPlaces::points,
+                                        behind.function());
     const std::uint32_t all = ~std::uint32_t{0} >> (32 - grid.side());
     int rays = 0;
-    for (int j = 0; j + 4 <= grid.side(); j += 4) {
+    for (int j = 0; j + 4 <= grid.side(); j += 4, edges.next_four()) {
         behind.begin_four();
-        for (int k = 0; k < grid.side(); ++k, behind.next()) {
+        for (int k = 0; k < grid.side(); ++k, edges.next(), behind.next()) {
             Four left_out = {};
-            behind.leave_out(left_out);
+            behind.leave_out(left_out, edges.fourth());
             Four points = {};
-            behind.see(points, Four{});
+            behind.see(points, Four{}, edges.fourth());
             Four none = {};
-            behind.see(none, ~Four{});
+            behind.see(none, ~Four{}, edges.fourth());
             const RaysSeen seen(triangle, j, k);
             for (int row = 0; row < 4; ++row) {
                 EXPECT_EQ(none[row], 0U);
@@ -132,14 +135,16 @@ TEST(PointsBehind, AreThoseWhereThePlanesValueIsNotBelow0) {
         const int high = triangle.last_before(true);
         if (high < 0 || low >= grid.side() - 1) continue; // no ray passes between points
         const IndexRange x = {std::max(low + 1, 0), std::min(high, grid.side() - 1)};
-        const int from = PointsBehindBySigns::first_of(x);
-        const SmallPlane plane(
-            small_triangle(triangle.solid(), triangle.corners, grid, FourSigned{from, 0, 0, 0}, grid.offset));
+        const int from = std::min(x.first, grid.side() - PointsBehindBySigns::points);
+        const SmallTriangle from_first =
+            small_triangle(triangle.solid(), triangle.corners, grid, FourSigned{from, 0, 0, 0}, grid.offset);
+        const SmallPlane plane(from_first);
         if (plane.normal[axis_x] == 0) continue;
-        if (plane.has_31_bits())
-            by_quotients += compare(PointsBehindByQuotients(plane, grid, from), triangle);
-        if (PointsBehindBySigns::suffice(plane, x, high - low)) {
-            by_signs += compare(PointsBehindBySigns(plane, grid, from), triangle);
+        if (plane.has_31_bits(grid.shift)) {
+            by_quotients += compare(PointsBehindByQuotients(plane, grid, from), triangle, from_first, plane);
+        }
+        if (PointsBehindBySigns::suffice(plane, x.last - x.first + 1, high - low)) {
+            by_signs += compare(PointsBehindBySigns(plane, grid, from), triangle, from_first, plane);
         }
     }
     EXPECT_GT(by_signs, 5000);

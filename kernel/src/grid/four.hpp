@@ -41,10 +41,24 @@ inline void set_multiples(Four& result, const Four& number) {
     numbers = (others & where) | (numbers & ~where);
 }
 
+/// The lower ones of numbers and others, and the greater ones.
+[[gnu::always_inline]] inline void lower(FourSigned& numbers, const FourSigned& others) {
+    choose(numbers, others < numbers, others);
+}
+[[gnu::always_inline]] inline void raise(FourSigned& numbers, const FourSigned& others) {
+    choose(numbers, others > numbers, others);
+}
+
 /// Whether one of them is not 0 at least.
 inline bool any(const Four& numbers) {
     const auto two = reinterpret_cast<TwoWide>(numbers);
     return (two[0] | two[1]) != 0;
+}
+
+/// Whether one of them is below 0 at least.
+inline bool any_negative(const FourSigned& numbers) {
+    const auto two = reinterpret_cast<TwoWide>(numbers);
+    return ((two[0] | two[1]) & 0x8000000080000000) != 0;
 }
 
 /// The bits of a word above each one, by its number.
@@ -70,6 +84,27 @@ inline void load(Four& numbers, const std::uint32_t* from) {
 }
 inline void store(std::uint32_t* to, const Four& numbers) {
     __builtin_memcpy(__builtin_assume_aligned(to, alignof(std::uint32_t)), &numbers, sizeof numbers);
+}
+
+/// Numbers of two fours by their places, those of the second one from 4 on.
+template <int first, int second, int third, int last, class Numbers>
+[[gnu::always_inline]] inline void pick(Numbers& result, const Numbers& a, const Numbers& b) {
+#if defined(__clang__)
+    result = __builtin_shufflevector(a, b, first, second, third, last);
+#else
+    result = __builtin_shuffle(a, b, FourSigned{first, second, third, last});
+#endif
+}
+
+/// Where of two such numbers that are a long one that with its lowest bits stands.
+constexpr int low_half = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? 0 : 1;
+
+/// Each number four times.
+[[gnu::always_inline]] inline void set_each(Four (&results)[4], const Four& numbers) {
+    pick<0, 0, 0, 0>(results[0], numbers, numbers);
+    pick<1, 1, 1, 1>(results[1], numbers, numbers);
+    pick<2, 2, 2, 2>(results[2], numbers, numbers);
+    pick<3, 3, 3, 3>(results[3], numbers, numbers);
 }
 
 /// The same number four times.

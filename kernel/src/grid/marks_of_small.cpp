@@ -11,10 +11,11 @@ namespace {
 
 // As seen along an axis: a word for each row of a box, in fours of rows. Which of so many squares of it the
 // triangle is seen to meet, a bit for each, the first one lowest.
-void note_squares(EdgeFunctions&& edges, std::uint32_t squares, int fours, std::uint32_t* rows) {
-    for (; fours > 0; --fours, rows += 4) {
+template <class Edges>
+void note_squares(Edges&& edges, std::uint32_t squares, int fours, std::uint32_t* rows) {
+    for (; fours > 0; --fours, rows += 4, edges.next_four()) {
         Four seen = {};
-        edges.see_four(squares, seen);
+        edges.see(squares, seen);
         store(rows, seen);
     }
 }
@@ -41,15 +42,15 @@ bool FaceInGrid::mark_small(const Ranges& range, std::uint32_t* rows, std::uint3
     std::uint32_t* const x_by_y = scratch;
     std::uint32_t* const x_by_z = x_by_y + 4 * static_cast<std::size_t>(y_fours);
     std::uint32_t* const y_by_z = x_by_z + 4 * static_cast<std::size_t>(z_fours);
-    const auto seen = [&](int u, int v, std::int64_t area) {
-        return EdgeFunctions(triangle, u, v, area, grid_.shift, EdgeFunctions::Of::squares);
-    };
-    note_squares(seen(axis_x, axis_y, plane.normal[axis_z]), x_count, y_fours, x_by_y);
+    const int shift = grid_.shift;
+    note_squares(EdgeFunctions<axis_x, axis_y>(triangle, plane.normal[axis_z], shift, SeenPlaces::squares),
+                 x_count, y_fours, x_by_y);
     // (x, z) is left-handed.
-    note_squares(seen(axis_x, axis_z, -plane.normal[axis_y]), x_count, z_fours, x_by_z);
+    note_squares(EdgeFunctions<axis_x, axis_z>(triangle, -plane.normal[axis_y], shift, SeenPlaces::squares),
+                 x_count, z_fours, x_by_z);
     const IndexRange y = {range[1].first - first_y, range[1].last - first_y};
-    note_squares(seen(axis_y, axis_z, plane.normal[axis_x]), static_cast<std::uint32_t>(y.last + 1), z_fours,
-                 y_by_z);
+    note_squares(EdgeFunctions<axis_y, axis_z>(triangle, plane.normal[axis_x], shift, SeenPlaces::squares),
+                 static_cast<std::uint32_t>(y.last + 1), z_fours, y_by_z);
     const std::uint32_t all_y = y.bits();
     std::uint32_t* layer = rows + grid_.row(first_y, range[2].first);
     for (std::uint32_t k = 0; k < z_count; ++k, layer += grid_.side()) {

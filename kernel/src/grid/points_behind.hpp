@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "grid/edge_functions.hpp"
 #include "grid/four.hpp"
 #include "grid/octant_grid.hpp"
 #include "grid/small_triangle.hpp"
@@ -23,14 +24,20 @@ class PointsBehindByQuotients {
     PointsBehindByQuotients(const SmallPlane& plane, const OctantGrid& grid, int first)
         : PointsBehindByQuotients(plane, plane.sign(axis_x), grid, first) {}
 
+    /// It goes by itself from ray to ray.
+    static LinearFunction function() { return {0, 0, 0}; }
     void begin_four() { last_.begin_four(); }
     void next() { last_.next(); }
 
     /// Sets the sign of rays on which all points of the grid are behind, and of some on which none is.
-    void leave_out(Four& rays) const { rays |= last_.values() | (most_ - 1 - last_.values()); }
+    void leave_out(Four& rays, const Four& /*value*/) const {
+        rays |= last_.values() | (most_ - 1 - last_.values());
+    }
     /// A bit for each point behind; for none on rays of which all bits are set. There may be bits above those
     /// of the grid if its last point is behind.
-    void see(Four& behind, const Four& left_out) const { set_bits_above(behind, left_out | last_.values()); }
+    void see(Four& behind, const Four& left_out, const Four& /*value*/) const {
+        set_bits_above(behind, left_out | last_.values());
+    }
 
   private:
     PointsBehindByQuotients(const SmallPlane& plane, std::int64_t turn, const OctantGrid& grid, int first)
@@ -48,33 +55,37 @@ class PointsBehindBySigns {
   public:
     static constexpr int points = 4;
 
-    /// The first one of those, of a triangle that is around these points of a grid along x.
-    static int first_of(const IndexRange& x) { return least(x.first, 32 - points); }
-    /// Whether they are all of these points, and numbers fit, where the triangle is around so many points in
-    /// the grid or beyond: from a crossing to a point asked it is less than `points` octants more than that.
-    static bool suffice(const SmallPlane& plane, const IndexRange& x, std::int64_t around) {
+    /// Whether they are all of the points of a grid that the triangle is around, so many, and numbers fit,
+    /// where it is around so many in the grid or beyond: from a crossing to a point asked it is less than
+    /// `points` octants more than that.
+    static bool suffice(const SmallPlane& plane, int in_grid, std::int64_t around) {
         const std::int64_t across = plane.normal[axis_x] < 0 ? -plane.normal[axis_x] : plane.normal[axis_x];
-        return x.last - x.first < points && across * (around + points) <= INT32_MAX;
+        return in_grid <= points && across * (around + points) <= INT32_MAX;
     }
 
-    /// The plane as seen from point `first` along x, which is `first_of`. Preconditions: it is not seen as a
-    /// line, and they suffice.
+    /// The plane as seen from point `first` along x. Preconditions: it is not seen as a line; the points
+    /// asked are the grid's, all of it that it is around along x among them, and they suffice.
     PointsBehindBySigns(const SmallPlane& plane, const OctantGrid& grid, int first)
-        : PointsBehindBySigns(plane.sign(axis_x), plane, grid, static_cast<unsigned>(first)) {}
+        : plane_(plane),
+          by_x_(Four{} + static_cast<std::uint32_t>(plane.sign(axis_x) * plane.normal[axis_x])),
+          first_of_grid_(Four{} + (first == 0 ? sign : 0)),
+          beyond_grid_(Four{} + ~(~std::uint32_t{0} >> (32 - grid.side()))),
+          down_(32 - static_cast<unsigned>(points + first)) {}
 
-    void begin_four() {
-        now_ = value_;
-        value_ += by_four_rows_;
+    /// Below 0 before the plane, if it is negated where the normal points along x.
+    LinearFunction function() const {
+        return {-plane_.value, -plane_.normal[axis_z], -plane_.normal[axis_y]};
     }
-    void next() { now_ += by_z_; }
+    void begin_four() const {}
+    void next() const {}
 
-    void leave_out(Four& rays) const { rays |= ~now_ & first_of_grid_; }
-    void see(Four& behind, const Four& left_out) const {
-        Four value = now_;
+    void leave_out(Four& rays, const Four& value) const { rays |= ~value & first_of_grid_; }
+    void see(Four& behind, const Four& left_out, const Four& value) const {
+        Four now = value;
         Four before = ~Four{}; // as the points below those asked are
         for (int point = 0; point < points; ++point) {
-            before = before >> 1 | (value & sign);
-            value += by_x_;
+            before = before >> 1 | (now & sign);
+            now += by_x_;
         }
         behind = ~(before >> down_ | beyond_grid_ | left_out);
     }
@@ -82,23 +93,8 @@ class PointsBehindBySigns {
   private:
     static constexpr std::uint32_t sign = std::uint32_t{1} << 31;
 
-    PointsBehindBySigns(int turn, const SmallPlane& plane, const OctantGrid& grid, unsigned first)
-        : by_x_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_x])),
-          by_z_(Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_z])),
-          first_of_grid_(Four{} + (first == 0 ? sign : 0)),
-          beyond_grid_(Four{} + ~(~std::uint32_t{0} >> (32 - grid.side()))),
-          down_(32 - static_cast<unsigned>(points) - first) {
-        const Four by_y = Four{} + static_cast<std::uint32_t>(turn * plane.normal[axis_y]);
-        set_multiples(value_, by_y);
-        value_ += static_cast<std::uint32_t>((turn * plane.value) >> grid.shift);
-        by_four_rows_ = 4 * by_y;
-    }
-
-    Four value_ = {}; ///< below 0 before the plane, divided by the octants' side and rounded down
-    Four now_ = {};
-    Four by_four_rows_ = {};
+    const SmallPlane& plane_;
     Four by_x_;
-    Four by_z_;
     Four first_of_grid_; ///< the sign, if the first point asked is the grid's
     Four beyond_grid_;   ///< the bits that stand for none of its points
     unsigned down_;

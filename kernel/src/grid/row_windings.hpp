@@ -126,14 +126,14 @@ class RowWindings::FourRows {
     FourRows(RowWindings& windings, int row, std::int32_t number)
         : windings_(windings), low_(windings.plane(0)), row_(static_cast<std::size_t>(row)),
           to_sign_(windings.rows_), to_next_layer_(std::size_t{1} << windings.levels_),
-          down_(number > 0 ? 0 : ~std::uint32_t{0}) {}
+          down_(Four{} + (number > 0 ? 0 : ~std::uint32_t{0})) {}
 
     /// To a set of each row's points, which does not have the first one.
     [[gnu::always_inline]] void add(const Four& set) {
         std::uint32_t* const low_words = low_ + row_;
         if (windings_.planes_ != 2) {
             const Four added = set; // as what is given by reference stays in memory
-            return windings_.add_to_four(low_words, added, down_);
+            return windings_.add_to_four(low_words, added, down_[0]);
         }
         Four low = {};
         Four sign = {};
@@ -155,7 +155,7 @@ class RowWindings::FourRows {
     std::size_t row_;    ///< the first of the four; behind the last layer there is none
     std::size_t to_sign_;
     std::size_t to_next_layer_;
-    std::uint32_t down_;
+    Four down_;
 };
 
 /// Adds or takes away 2^from, which is less than what the sign stands for.

@@ -15,10 +15,12 @@ namespace osem {
 /// edges are to be found, which nobody foresees.
 constexpr std::int32_t small_octants = 16;
 
-/// The corners of such a triangle: how far they are from a place in or beside the box, along x, y, again y,
-/// and z.
+/// Such a triangle: how far a corner of it is from a place in or beside the box, and how far the next two are
+/// from that corner, along x, y, again y, and z.
 struct SmallTriangle {
-    FourSigned corners[3];
+    FourSigned corner;
+    FourSigned to_second;
+    FourSigned to_third;
 };
 
 /// Tells a triangle from the minimum corner of an octant, which is given by its indices along x, y, again y,
@@ -30,10 +32,12 @@ struct SmallTriangle {
     load(place, grid.corner);
     place += (octant << grid.shift) + further;
     SmallTriangle triangle;
-    for (unsigned k = 0; k < 3; ++k) {
-        load(triangle.corners[k], solid.vertices[corners[k]]);
-        triangle.corners[k] -= place;
-    }
+    load(triangle.corner, solid.vertices[corners[0]]);
+    load(triangle.to_second, solid.vertices[corners[1]]);
+    load(triangle.to_third, solid.vertices[corners[2]]);
+    triangle.to_second -= triangle.corner;
+    triangle.to_third -= triangle.corner;
+    triangle.corner -= place;
     return triangle;
 }
 
@@ -44,23 +48,29 @@ struct SmallPlane {
     std::int64_t value; ///< at that place
 
     [[gnu::always_inline]] explicit SmallPlane(const SmallTriangle& triangle) {
-        const FourSigned& a = triangle.corners[0];
-        const FourSigned u = triangle.corners[1] - a;
-        const FourSigned v = triangle.corners[2] - a;
         const auto along = [](const FourSigned& numbers, int axis) -> std::int64_t {
             return numbers[place_of_axis(axis)];
         };
         const auto across = [&](int i, int j) {
-            return along(u, i) * along(v, j) - along(u, j) * along(v, i);
+            return along(triangle.to_second, i) * along(triangle.to_third, j) -
+                   along(triangle.to_second, j) * along(triangle.to_third, i);
         };
         normal[axis_x] = across(axis_y, axis_z);
         normal[axis_y] = across(axis_z, axis_x);
         normal[axis_z] = across(axis_x, axis_y);
-        value = -(normal[axis_x] * along(a, axis_x) + normal[axis_y] * along(a, axis_y) +
-                  normal[axis_z] * along(a, axis_z));
+        value = -(normal[axis_x] * along(triangle.corner, axis_x) +
+                  normal[axis_y] * along(triangle.corner, axis_y) +
+                  normal[axis_z] * along(triangle.corner, axis_z));
     }
 
-    bool has_31_bits() const {
+    /// Whether its normal's numbers have no more, of a triangle that is small among octants whose side is
+    /// 2^shift: they are less than twice the square of its length, so mostly one need not look.
+    bool has_31_bits(int shift) const {
+        constexpr int none_has_more = 11;
+        static_assert(2 * (std::int64_t{small_octants} << none_has_more) * (small_octants << none_has_more) ==
+                          std::int64_t{INT32_MAX} + 1,
+                      "twice the square of the length");
+        if (shift <= none_has_more) return true;
         const auto has = [](std::int64_t number) { return -INT32_MAX <= number && number <= INT32_MAX; };
         return has(normal[0]) && has(normal[1]) && has(normal[2]);
     }
