@@ -9,31 +9,49 @@
 
 namespace osem {
 
-/// Before face_of(i), of the faces up to face_of(end), is met: which corners a face has is sent for two faces
-/// before, and where they are one face before, as a mesh has them far apart and a part with caches would wait
-/// for both. (In line: a function that only sends for memory has no effect, as a compiler sees it, so a call
-/// of it is dropped.)
+/// Sends for what is read of the faces face_of(first) ... before face_of(end): which corners a face has two
+/// faces before it is met, and where they are one face before, as a mesh has them far apart and a part with
+/// caches would wait for both. (In line: a function that only sends for memory has no effect, as a compiler
+/// sees it, so a call of it is dropped.)
 template <class FaceOf>
-[[gnu::always_inline]] inline void send_for_next(const Solid& solid, std::uint32_t i, std::uint32_t end,
-                                                 FaceOf face_of) {
-    if constexpr (guesses_cost_much) {
-        const auto corners_of = [&](std::uint32_t face) {
-            return solid.corners + solid.first_corner(solid.first_ring(face));
-        };
-        if (i + 2 < end) __builtin_prefetch(corners_of(face_of(i + 2)));
-        if (i + 1 < end) {
-            const std::uint32_t* const corners = corners_of(face_of(i + 1));
-            for (unsigned k = 0; k < 3; ++k) __builtin_prefetch(&solid.vertices[corners[k]]);
+class FacesAhead {
+  public:
+    FacesAhead(const Solid& solid, std::uint32_t first, std::uint32_t end, FaceOf face_of)
+        : solid_(solid), end_(end), face_of_(face_of) {
+        if constexpr (guesses_cost_much) {
+            if (first + 1 < end) next_ = corners_of(first + 1);
         }
     }
-}
+
+    /// Before the i-th one is met, of all in turn.
+    [[gnu::always_inline]] void send(std::uint32_t i) {
+        if constexpr (guesses_cost_much) {
+            if (i + 1 >= end_) return;
+            for (unsigned k = 0; k < 3; ++k) __builtin_prefetch(&solid_.vertices[next_[k]]);
+            if (i + 2 >= end_) return;
+            next_ = corners_of(i + 2);
+            __builtin_prefetch(next_);
+        }
+    }
+
+  private:
+    [[gnu::always_inline]] const std::uint32_t* corners_of(std::uint32_t i) const {
+        return solid_.corners + solid_.first_corner(solid_.first_ring(face_of_(i)));
+    }
+
+    const Solid& solid_;
+    std::uint32_t end_;
+    FaceOf face_of_;
+    const std::uint32_t* next_ = nullptr; ///< the corners of the face behind the one that is met
+};
 
 /// Calls meet(face) for each of the faces face_of(first), face_of(first + 1) ... before face_of(end).
 template <class FaceOf, class Meet>
 [[gnu::always_inline]] inline void each_face(const Solid& solid, std::uint32_t first, std::uint32_t end,
                                              FaceOf face_of, Meet meet) {
+    FacesAhead<FaceOf> ahead(solid, first, end, face_of);
     for (std::uint32_t i = first; i != end; ++i) {
-        send_for_next(solid, i, end, face_of);
+        ahead.send(i);
         meet(face_of(i));
     }
 }
