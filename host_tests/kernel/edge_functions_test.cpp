@@ -102,8 +102,9 @@ class Comparison {
             for (int j = 0; j < 18; j += 4, edges.next_four()) {
                 Four rows = {};
                 edges.see(static_cast<std::uint32_t>(places), rows);
-                for (int row = 0; row < 4; ++row)
+                for (int row = 0; row < 4; ++row) {
                     compare(triangle, along_u, places, j + row, rows[row], expected);
+                }
             }
         }
     }
