@@ -161,7 +161,7 @@ def greatest_fast_stack(figures):
 FLASH_TEXT = """\
 Flash, in bytes of code and constants at `-Os`; a row that begins with "and" includes those above it, another one
 stands for a program of nothing else. Helpers are what comes beside it from the compiler's library and newlib's
-small C library: 64-bit arithmetic, `memcpy`, `memset`."""
+small C library: 64-bit arithmetic, `memcpy`, `memset`; targets are for the kernel's own code, without them."""
 STACK_TEXT = """\
 Worst-case stack, in bytes, a function's own saved registers included. The bound is the longest path in the call
 graph, helpers included; measured is what painting the stack shows; both with 32-bit indices. {greatest};

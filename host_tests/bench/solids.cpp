@@ -8,6 +8,8 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "mesh/read_mesh.hpp"
 
@@ -19,8 +21,13 @@ using Coordinates = std::array<double, 3>;
 
 std::string mesh_path(const std::string& name) {
     if (name == "bracket") return OSEM_SAMPLES_DIR "/bracket.poly";
-    const char* folder = std::getenv("OSEM_CGAL_DATA");
-    return std::string(folder != nullptr ? folder : OSEM_CGAL_DATA) + "/meshes/" + name + ".off";
+    const char* set = std::getenv("OSEM_CGAL_DATA");
+    const std::string folder = set != nullptr ? set : OSEM_CGAL_DATA;
+    if (folder.empty()) {
+        throw std::runtime_error("OSEM_CGAL_DATA is not set: to the folder with CGAL's meshes, which "
+                                 "host_tests/bench/run.sh unpacks to build/cgal-demo/data");
+    }
+    return folder + "/meshes/" + name + ".off";
 }
 
 // The number behind a prefix; 0 when the name has another form.

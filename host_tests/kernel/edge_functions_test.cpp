@@ -166,7 +166,7 @@ TEST(EdgeFunctions, GoOnWithAFourthOne) {
     };
     for (int trial = 0; trial < 2000; ++trial) {
         const TriangleSeen triangle(random, axis_y, axis_z);
-        const LinearFunction fourth = {number(std::int64_t{1} << 40), number(1 << 20), number(1 << 20)};
+        const LinearFunction fourth = {number(std::int64_t{1} << 40), number(INT32_MAX), number(INT32_MAX)};
         EdgeFunctions<axis_y, axis_z> edges(triangle.from_place, triangle.area, triangle.shift,
                                             SeenPlaces::points, fourth);
         for (int j = 0; j < 12; j += 4, edges.next_four()) {

@@ -57,7 +57,8 @@ class PointsAround {
         behind_first_ = last - first_;
         const FourSigned rows = behind_first_ & FourSigned{0, -1, -1, -1};
         reaches_ = rows | high_ | (all - 1 - low_);
-        // Along x as many as signs are asked of, and full fours of rows along y: so some may begin before.
+        // Along x as many as signs are asked of, and along y full fours of rows, as first_of_fours has them:
+        // so some may begin before.
         lower(first_, all - (rows | FourSigned{PointsBehindBySigns::points - 1, 3, 3, 0}));
     }
 
@@ -65,14 +66,14 @@ class PointsAround {
     FourSigned high_;
     FourSigned first_;
     FourSigned behind_first_; // how many more there are
-    FourSigned reaches_;      // below 0 where it does not
+    FourSigned reaches_;      // below 0 where it does not; what is beside the grid is too far for signs
     Four lengths_;
     int most_;
 };
 
 // Rays along x: of four rows beside each other in each layer of a range, then of the next four. All of them
-// are in the grid, so that those that the triangle does not have need not be left out. It is told from the
-// first point looked at, and its plane as well.
+// are in the grid, so those beside the triangle may be added to as well: of each nothing is. It is told from
+// the first point looked at, and its plane as well.
 template <class PointsBehind>
 [[gnu::always_inline]] inline void add_along_x(const SmallTriangle& triangle, const SmallPlane& plane,
                                                const OctantGrid& grid, const PointsAround& points,

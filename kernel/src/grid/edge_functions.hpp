@@ -13,7 +13,8 @@ namespace osem {
 /// by e^2 along the other one, or to meet of its squares.
 enum class SeenPlaces { points, squares };
 
-/// A linear function: what it is at a place, and how it changes by an octant's side from there.
+/// A linear function: what it is at a place, and how it changes by an octant's side from there, divided by
+/// that side. What it is may have 63 bits; the changes have 32, and are above INT32_MIN.
 struct LinearFunction {
     std::int64_t value;
     std::int64_t by_u;
@@ -30,7 +31,9 @@ class EdgeFunctions {
     /// Stands at the first places of four rows, of which the very first one is that which the triangle's
     /// corners are told from: a point or a square's lower corner. Area: twice that of the triangle as it is
     /// seen, above 0 if its corners are seen to turn to the left, below if to the right; not 0. It is a
-    /// component of its plane's normal, so below 2^62. If it is below 0 the fourth function is negated.
+    /// component of its plane's normal, so below 2^62. If it is below 0 the fourth function is negated, of
+    /// which the lowest 32 bits are kept. The side is 2^shift, at most 2^18, and the corner less than 64
+    /// octants from that place.
     [[gnu::always_inline]] EdgeFunctions(const SmallTriangle& triangle, std::int64_t area, int shift,
                                          SeenPlaces seen, const LinearFunction& fourth = {0, 0, 0}) {
         FourSigned by_u = {};
@@ -57,7 +60,7 @@ class EdgeFunctions {
         if (seen == SeenPlaces::squares) at += (by_u & ~(by_u >> 31)) + (by_v & ~(by_v >> 31));
         set_rows(reinterpret_cast<Four>(at), reinterpret_cast<Four>(by_v));
         set_each(by_u_, reinterpret_cast<Four>(by_u));
-        by_four_rows_ = reinterpret_cast<Four>(by_v << 2);
+        by_four_rows_ = reinterpret_cast<Four>(by_v) << 2;
     }
 
     /// Goes on to the next four rows, and stands at their first places.
@@ -113,7 +116,9 @@ class EdgeFunctions {
                                                            const FourSigned& by_v) {
         const FourSigned& first = u < v ? by_u : by_v;
         const FourSigned& second = u < v ? by_v : by_u;
-        result = (first + first + (second >> 31)) >> 31 & FourSigned{-1, -1, -1, 0};
+        // Of edges twice the first one fits; of the fourth function it may not, which does not matter.
+        const Four sum = reinterpret_cast<Four>(first) * 2 + reinterpret_cast<Four>(second >> 31);
+        result = reinterpret_cast<FourSigned>(sum) >> 31 & FourSigned{-1, -1, -1, 0};
     }
 
     // Numbers, negated where all are, and lowered by one where all bits are set, by a power of two; of what

@@ -57,7 +57,7 @@ class PointsBehindBySigns {
 
     /// Whether they are all of the points of a grid that the triangle is around, so many, and numbers fit,
     /// where it is around so many in the grid or beyond: from a crossing to a point asked it is less than
-    /// `points` octants more than that.
+    /// `points` octants more than that. Precondition: it is not beside the grid along x.
     static bool suffice(const SmallPlane& plane, int in_grid, std::int64_t around) {
         const std::int64_t across = plane.normal[axis_x] < 0 ? -plane.normal[axis_x] : plane.normal[axis_x];
         return in_grid <= points && across * (around + points) <= INT32_MAX;

@@ -171,7 +171,7 @@ void add_convert(CLI::App& app, const Console& console) {
     command->add_flag(
         "--stats", options->stats,
         "Print the grids, octants or blocks visited, nodes, memory (job, scratch as far as it was used, and "
-        "pool) and the time of the pass that made the tree (on several threads: of all that they did); "
+        "pool) and the time of the pass that made the tree (on several threads: of all of them together); "
         "except for grids, also how many faces each stage rejected and accepted");
     add_output(*command, "--quantized", options->quantized,
                "Also write the integer solid actually converted, in lattice units (0 to 2^20)")
