@@ -38,8 +38,8 @@ class EdgeFunctions {
                                          SeenPlaces seen, const LinearFunction& fourth = {0, 0, 0}) {
         FourSigned by_u = {};
         FourSigned by_v = {};
-        set_along<v>(by_u, triangle);
-        set_along<u>(by_v, triangle);
+        set_sides<v>(by_u, triangle);
+        set_sides<u>(by_v, triangle);
         by_u = -by_u;
         by_u[3] = static_cast<std::int32_t>(fourth.by_u);
         by_v[3] = static_cast<std::int32_t>(fourth.by_v);
@@ -93,17 +93,6 @@ class EdgeFunctions {
     }
 
   private:
-    // How far it is from each corner to the next along an axis.
-    template <int axis>
-    [[gnu::always_inline]] static void set_along(FourSigned& numbers, const SmallTriangle& triangle) {
-        constexpr auto place = static_cast<int>(place_of_axis(axis));
-        const FourSigned second_to_third = triangle.to_third - triangle.to_second;
-        const FourSigned to_first = -triangle.to_third;
-        FourSigned two = {};
-        pick<place, place, place + 4, place + 4>(two, triangle.to_second, second_to_third);
-        pick<0, 2, place + 4, place + 4>(numbers, two, to_first);
-    }
-
     // Of an edge that runs so far from that corner, or to it the other way.
     [[gnu::always_inline]] static std::int64_t inside_of(const FourSigned& corner, const FourSigned& run) {
         return std::int64_t{corner[place_of_axis(u)]} * run[place_of_axis(v)] -

@@ -107,12 +107,6 @@ constexpr int low_half = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? 0 : 1;
     pick<3, 3, 3, 3>(results[3], numbers, numbers);
 }
 
-/// The same number four times.
-[[gnu::always_inline]] inline void set_all(Four& result, const FourSigned& numbers, unsigned place) {
-    const std::int32_t number = numbers[place];
-    result = reinterpret_cast<Four>(FourSigned{number, number, number, number});
-}
-
 /// Where a coordinate along an axis is among a point's.
 constexpr unsigned place_of_axis(int axis) { return axis == axis_z ? 3U : static_cast<unsigned>(axis); }
 

@@ -41,6 +41,17 @@ struct SmallTriangle {
     return triangle;
 }
 
+/// How far it is along an axis from each of its corners to the next one; the last number is any.
+template <int axis>
+[[gnu::always_inline]] inline void set_sides(FourSigned& sides, const SmallTriangle& triangle) {
+    constexpr auto place = static_cast<int>(place_of_axis(axis));
+    const FourSigned second_to_third = triangle.to_third - triangle.to_second;
+    const FourSigned to_first = -triangle.to_third;
+    FourSigned two = {};
+    pick<place, place, place + 4, place + 4>(two, triangle.to_second, second_to_third);
+    pick<0, 2, place + 4, place + 4>(sides, two, to_first);
+}
+
 /// Its plane, as seen from the place that its corners are told from. Its numbers are those that a Plane has:
 /// see there for their bounds.
 struct SmallPlane {
