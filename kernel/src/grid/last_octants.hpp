@@ -23,7 +23,7 @@ struct FacePlaces {
 /// The octants that the last grids divide, and points that tell in which of them a face has an effect. With
 /// centre leaves all that it does is to lie on ways from one leaf's reference point to the next in an octant:
 /// so these are the points. Otherwise it may be met as well, where it reaches: so all lattice points are.
-/// (All in line: of many faces the octants are the same, and what is said of them stays in registers.)
+/// (Here, so that of many faces what is said of the octants may stay in registers.)
 class LastOctants {
   public:
     /// Those so many levels below an octant. The points are 2^points_shift apart, the first one by `offset`
@@ -38,7 +38,7 @@ class LastOctants {
     /// octants' reference points are between them along one axis at most, so that it lies on no way from one
     /// of these to another. All that FaceInGrid would find out in the grids above is in that. None is placed
     /// in octants that are 11 levels below or more: their numbers would be longer than a word.
-    [[gnu::always_inline]] FacePlaces places_of(const Solid& solid, std::uint32_t face) const {
+    FacePlaces places_of(const Solid& solid, std::uint32_t face) const {
         const std::uint32_t* const corner = solid.corners + solid.first_corner(solid.first_ring(face));
         const std::uint32_t* const end = solid.corners + solid.first_corner(solid.end_ring(face));
         Found found = {};
