@@ -13,25 +13,21 @@ namespace osem {
 /// faces before it is met, and where they are one face before, as a mesh has them far apart and a part with
 /// caches would wait for both. (In line: a function that only sends for memory has no effect, as a compiler
 /// sees it, so a call of it is dropped.)
-template <class FaceOf>
+template <class FaceOf, bool is_sent = guesses_cost_much>
 class FacesAhead {
   public:
     FacesAhead(const Solid& solid, std::uint32_t first, std::uint32_t end, FaceOf face_of)
         : solid_(solid), end_(end), face_of_(face_of) {
-        if constexpr (guesses_cost_much) {
-            if (first + 1 < end) next_ = corners_of(first + 1);
-        }
+        if (first + 1 < end) next_ = corners_of(first + 1);
     }
 
     /// Before the i-th one is met, of all in turn.
     [[gnu::always_inline]] void send(std::uint32_t i) {
-        if constexpr (guesses_cost_much) {
-            if (i + 1 >= end_) return;
-            for (unsigned k = 0; k < 3; ++k) __builtin_prefetch(&solid_.vertices[next_[k]]);
-            if (i + 2 >= end_) return;
-            next_ = corners_of(i + 2);
-            __builtin_prefetch(next_);
-        }
+        if (i + 1 >= end_) return;
+        for (unsigned k = 0; k < 3; ++k) __builtin_prefetch(&solid_.vertices[next_[k]]);
+        if (i + 2 >= end_) return;
+        next_ = corners_of(i + 2);
+        __builtin_prefetch(next_);
     }
 
   private:
@@ -43,6 +39,15 @@ class FacesAhead {
     std::uint32_t end_;
     FaceOf face_of_;
     const std::uint32_t* next_ = nullptr; ///< the corners of the face behind the one that is met
+};
+
+/// Parts without caches have nothing to send for, and no room to spare for that.
+template <class FaceOf>
+class FacesAhead<FaceOf, false> {
+  public:
+    FacesAhead(const Solid& /*solid*/, std::uint32_t /*first*/, std::uint32_t /*end*/,
+               const FaceOf& /*face_of*/) {}
+    void send(std::uint32_t /*i*/) const {}
 };
 
 /// Calls meet(face) for each of the faces face_of(first), face_of(first + 1) ... before face_of(end).
