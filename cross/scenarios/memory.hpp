@@ -11,7 +11,7 @@ namespace osem::cross {
 
 constexpr std::uint32_t pool_capacity = 1150;
 constexpr std::uint32_t most_corners = 64;
-constexpr std::uint32_t most_vertices = 40;
+constexpr std::uint32_t most_vertices = 20; // those of the plate, or of five tetrahedra
 
 /// A pool that every scenario finds empty.
 extern NodePool& pool;
