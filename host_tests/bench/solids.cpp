@@ -24,7 +24,7 @@ std::string mesh_path(const std::string& name) {
     const char* set = std::getenv("OSEM_CGAL_DATA");
     const std::string folder = set != nullptr ? set : OSEM_CGAL_DATA;
     if (folder.empty()) {
-        throw std::runtime_error("OSEM_CGAL_DATA is not set: to the folder with CGAL's meshes, which "
+        throw std::runtime_error("OSEM_CGAL_DATA is not set: it names the folder of CGAL's data, which "
                                  "host_tests/bench/run.sh unpacks to build/cgal-demo/data");
     }
     return folder + "/meshes/" + name + ".off";
