@@ -3,6 +3,7 @@
 #define OSEM_GRID_EACH_FACE_HPP
 
 #include <cstdint>
+#include <type_traits>
 
 #include "osem/solid.hpp"
 #include "tree/guesses.hpp"
@@ -13,7 +14,7 @@ namespace osem {
 /// faces before it is met, and where they are one face before, as a mesh has them far apart and a part with
 /// caches would wait for both. (In line: a function that only sends for memory has no effect, as a compiler
 /// sees it, so a call of it is dropped.)
-template <class FaceOf, bool is_sent = guesses_cost_much>
+template <class FaceOf>
 class FacesAhead {
   public:
     FacesAhead(const Solid& solid, std::uint32_t first, std::uint32_t end, FaceOf face_of)
@@ -42,19 +43,27 @@ class FacesAhead {
 };
 
 /// Parts without caches have nothing to send for, and no room to spare for that.
-template <class FaceOf>
-class FacesAhead<FaceOf, false> {
+class NothingAhead {
   public:
-    FacesAhead(const Solid& /*solid*/, std::uint32_t /*first*/, std::uint32_t /*end*/,
-               const FaceOf& /*face_of*/) {}
+    template <class FaceOf>
+    NothingAhead(const Solid& /*solid*/, std::uint32_t /*first*/, std::uint32_t /*end*/,
+                 const FaceOf& /*face_of*/) {}
     void send(std::uint32_t /*i*/) const {}
 };
+
+/// What sends for the faces ahead on this part.
+template <class FaceOf>
+[[gnu::always_inline]] inline auto faces_ahead(const Solid& solid, std::uint32_t first, std::uint32_t end,
+                                               FaceOf face_of) {
+    return std::conditional_t<guesses_cost_much, FacesAhead<FaceOf>, NothingAhead>(solid, first, end,
+                                                                                   face_of);
+}
 
 /// Calls meet(face) for each of the faces face_of(first), face_of(first + 1) ... before face_of(end).
 template <class FaceOf, class Meet>
 [[gnu::always_inline]] inline void each_face(const Solid& solid, std::uint32_t first, std::uint32_t end,
                                              FaceOf face_of, Meet meet) {
-    FacesAhead<FaceOf> ahead(solid, first, end, face_of);
+    auto ahead = faces_ahead(solid, first, end, face_of);
     for (std::uint32_t i = first; i != end; ++i) {
         ahead.send(i);
         meet(face_of(i));

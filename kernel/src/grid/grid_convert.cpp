@@ -41,7 +41,7 @@ struct GridList {
     std::uint64_t meet(const OctantGrid& grid, RowWindings& windings, std::uint32_t* halves,
                        std::uint32_t* space) const {
         std::uint64_t met = 0;
-        FacesAhead ahead(solid, 0, count, [this](std::uint32_t next) { return faces[next]; });
+        auto ahead = faces_ahead(solid, 0, count, [this](std::uint32_t next) { return faces[next]; });
         for (std::uint32_t i = 0; i < count; ++i) {
             ahead.send(i);
             FaceInGrid face(solid, faces[i], grid);
@@ -127,7 +127,7 @@ bool GridConversion::enter_root(Entry& entry) {
     const bool centres = options_.leaves == LeafRule::centre;
     const LastOctants last(octant_, levels_above(), centres ? lattice_bits - options_.depth : 0, offset());
     const Solid solid = solid_; // a compiler cannot know that no word of scratch is part of it
-    FacesAhead ahead(solid, 0, solid.face_count, [](std::uint32_t next) { return next; });
+    auto ahead = faces_ahead(solid, 0, solid.face_count, [](std::uint32_t next) { return next; });
     for (std::uint32_t face = 0; face < solid.face_count; ++face) {
         ahead.send(face);
         const FacePlaces places = last.places_of(solid, face);
