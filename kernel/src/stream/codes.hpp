@@ -7,6 +7,7 @@
 
 #include "osem/node_pool.hpp"
 #include "osem/register_word.hpp"
+#include "tree/unaligned.hpp"
 #include "tree/zeros.hpp"
 
 namespace osem {
@@ -19,22 +20,6 @@ using Codes = RegisterWord;
 [[gnu::always_inline]] inline std::uint32_t word_at(const std::uint8_t* bytes) {
     return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
            std::uint32_t{bytes[3]} << 24;
-}
-
-/// The other way round, as much as a register holds: one store where there are unaligned ones, which
-/// compilers for ARM do not see in four.
-inline void put_word(std::uint8_t* bytes, Codes word) {
-    struct [[gnu::packed, gnu::may_alias]] Unaligned {
-        Codes word;
-    };
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    if constexpr (sizeof word == 8) {
-        word = __builtin_bswap64(word);
-    } else {
-        word = __builtin_bswap32(static_cast<std::uint32_t>(word));
-    }
-#endif
-    reinterpret_cast<Unaligned*>(bytes)->word = word;
 }
 
 /// Bytes that codes_at reads, and the bits and codes that they hold.

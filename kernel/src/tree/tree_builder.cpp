@@ -1,8 +1,11 @@
 #include "osem/tree_builder.hpp"
 
+#include <cstddef>
+
 #include "tree/counts.hpp"
 #include "tree/guesses.hpp"
 #include "tree/masks.hpp"
+#include "tree/unaligned.hpp"
 
 namespace osem {
 
@@ -11,7 +14,8 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
-// Parts of 64 leaves, eight of them, have no more nodes.
+// Parts of 64 leaves, eight of them, have no more nodes; and where nodes are written no more are written
+// over.
 constexpr std::uint32_t most_of_parts = 8 * 8 + 8;
 
 // The children, of eight leaves each, whose leaves are not all alike: 1 in their bytes. Each other one is one
@@ -23,6 +27,14 @@ constexpr std::uint64_t bytes_divided(std::uint64_t may, std::uint64_t must) {
 }
 constexpr std::uint8_t divided_children(std::uint64_t may, std::uint64_t must) {
     return lowest_of_bytes(bytes_divided(may, must));
+}
+
+// A node of eight leaves in one store, which writes some bytes behind it as well: these are free, or a node
+// is written there next. Bytes of masks come first in a node, and of its index none is set.
+void write_eight(unsigned char* node, std::uint8_t may, std::uint8_t must) {
+    static_assert(offsetof(Node, may) == 0 && offsetof(Node, must) == 1, "the order of put_word");
+    static_assert(!guesses_cost_much || sizeof(Node) <= sizeof(RegisterWord), "it is one word");
+    put_word(node, may | RegisterWord{must} << 8);
 }
 
 Node node_of_eight(std::uint64_t may, std::uint64_t must, unsigned child) {
@@ -65,6 +77,7 @@ Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std
     std::uint8_t part_must[8] = {};
     NodeIndex part_first[8] = {};
     unsigned count = 0;
+    auto* group = reinterpret_cast<unsigned char*>(nodes + end);
     for (std::uint8_t left = grey; left != 0; left = without_lowest(left), ++count) {
         const unsigned part = lowest(left);
         const std::uint64_t may = all_may[part];
@@ -73,9 +86,8 @@ Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std
         // Where each child is written, counted in bytes.
         static_assert(8 * sizeof(Node) < 0x100, "it is a byte");
         const std::uint64_t places = divided * (sizeof(Node) * 0x0101010101010100);
-        auto* const group = reinterpret_cast<unsigned char*>(nodes + end);
         for (unsigned each = 0; each < 8; ++each) {
-            *reinterpret_cast<Node*>(group + children_of(places, each)) = node_of_eight(may, must, each);
+            write_eight(group + children_of(places, each), children_of(may, each), children_of(must, each));
         }
         const Masks masks(may, must, lowest_of_bytes(divided));
         const auto more = static_cast<std::uint32_t>(divided * 0x0101010101010101 >> 56);
@@ -83,9 +95,10 @@ Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std
         part_must[count] = masks.must;
         part_first[count] = more == 0 ? 0 : static_cast<NodeIndex>(end);
         end += more;
+        group += sizeof(Node) * more;
     }
-    Node* const group = nodes + end;
-    for (unsigned i = 0; i < 8; ++i) group[i] = Node::of(part_may[i], part_must[i], part_first[i]);
+    Node* const parts = nodes + end;
+    for (unsigned i = 0; i < 8; ++i) parts[i] = Node::of(part_may[i], part_must[i], part_first[i]);
     return {end, end + count};
 }
 
