@@ -146,36 +146,77 @@ void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRan
     }
 }
 
+// How often rings wind around the points of a row along u: all in ranges, as edges cross it at a few places.
+class FaceInGrid::RowOfRings {
+  public:
+    // A number a point, for the changes.
+    RowOfRings(std::uint32_t* scratch, int side)
+        : changes_(reinterpret_cast<std::int32_t*>(scratch)), side_(side) {}
+
+    void begin() {
+        first_ = 0;
+        places_ = 0;
+    }
+    // Of an edge so many points are on the left.
+    void cross(int count, bool rises) {
+        if (count == 0) return;
+        const std::int32_t by = rises ? 1 : -1;
+        first_ += by;
+        if (count == side_) return;
+        const std::uint32_t place = std::uint32_t{1} << count;
+        changes_[count] = ((places_ & place) != 0 ? changes_[count] : 0) - by;
+        places_ |= place;
+    }
+    // Calls take(range, winding) for each range of points around which they wind.
+    template <class Take>
+    void each_range(Take take) const {
+        std::int32_t winding = first_;
+        int first = 0;
+        for (std::uint32_t left = places_; left != 0; left &= left - 1) {
+            const int place = static_cast<int>(lowest_of(left));
+            if (winding != 0) take(IndexRange{first, place - 1}, winding);
+            winding += changes_[place];
+            first = place;
+        }
+        if (winding != 0) take(IndexRange{first, side_ - 1}, winding);
+    }
+
+  private:
+    std::int32_t* changes_;    // by how much it changes before a point
+    std::uint32_t places_ = 0; // a bit for each point before which it does; of no other one there is a change
+    std::int32_t first_ = 0;   // around the first point
+    int side_;
+};
+
 // The same for a face of any rings, row by row.
 void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                           std::uint32_t* scratch) const {
-    // How often the rings wind around a point, less how often around the one before it.
-    auto* const change = reinterpret_cast<std::int32_t*>(scratch);
+    RowOfRings rings(scratch, grid_.side());
     for (int row = along_v.first; row <= along_v.last; ++row) {
-        for (int u = 0; u <= grid_.side(); ++u) change[u] = 0;
-        for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring) add_ring(ring, axis, row, change);
-        std::int32_t winding = 0;
-        for (int u = 0; u <= along_u.last; ++u) {
-            winding += change[u];
-            if (winding != 0) passages.add(row, {u, u}, winding);
-        }
+        rings.begin();
+        for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring) cross_ring(ring, axis, row, rings);
+        rings.each_range([&](const IndexRange& range, std::int32_t winding) {
+            passages.add(row, common(range, along_u), winding);
+        });
     }
 }
 
-void FaceInGrid::add_ring(std::uint32_t r, int axis, int row, std::int32_t* change) const {
+// Points are moved up along v: what is level with them is below.
+void FaceInGrid::cross_ring(std::uint32_t r, int axis, int row, RowOfRings& rings) const {
     const Ring ring = solid_.ring(r);
     const int u = ray_u_of[axis];
     const int v = ray_v_of[axis];
+    const std::int32_t level = grid_.reference().at[v] + (row << grid_.shift);
     const Point* a = &solid_.vertices[ring.corners[ring.count - 1]];
+    bool begins_below = a->at[v] <= level;
     for (std::uint32_t corner = 0; corner < ring.count; ++corner) {
         const Point* b = &solid_.vertices[ring.corners[corner]];
-        const SeenEdge edge(*a, *b, u, v);
+        const bool ends_below = b->at[v] <= level;
+        if (begins_below != ends_below) {
+            rings.cross(LeftOfEdge({*a, *b, u, v}, grid_, u, v, row).count(), begins_below);
+        }
         a = b;
-        const IndexRange rows = grid_.points_between(v, edge.v, edge.end_v);
-        if (row < rows.first || row > rows.last) continue;
-        const std::int32_t by = edge.rises ? 1 : -1;
-        change[0] += by;
-        change[LeftOfEdge(edge, grid_, u, v, row).count()] -= by;
+        begins_below = ends_below;
     }
 }
 

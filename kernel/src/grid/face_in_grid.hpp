@@ -69,6 +69,7 @@ class FaceInGrid {
   private:
     class Slabs;
     class Passages;
+    class RowOfRings;
     struct Index {
         std::int32_t at[3];
     };
@@ -160,7 +161,7 @@ class FaceInGrid {
                      std::uint32_t* scratch) const;
     void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                   std::uint32_t* scratch) const;
-    void add_ring(std::uint32_t r, int axis, int row, std::int32_t* change) const;
+    void cross_ring(std::uint32_t r, int axis, int row, RowOfRings& rings) const;
 
     const Solid& solid_;
     const OctantGrid& grid_;
