@@ -1,5 +1,6 @@
 #include "grid/face_in_grid.hpp"
 
+#include "grid/passed_octants.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
@@ -120,53 +121,6 @@ void FaceInGrid::add_edges(int u, int v, bool rising_right, Slabs& slabs) const 
         a = b;
         add_edge(u, v, edge, edge.rises == rising_right, slabs);
     }
-}
-
-namespace {
-
-// The octants of the rows along x through which a plane passes, row by row. The normal is turned so that it
-// does not point down: then the first of a row's octants that reaches above the plane and the last one that
-// reaches below it bound them. Across x it counts as 1: then a row has all of its octants between the two, or
-// none. Dividends are at most 3 * (2^61 + 2^41), divided by the octants' side or not; their changes are 2^41
-// at most, and fewer than 100 are added.
-class PassedOctants {
-  public:
-    PassedOctants(const Plane& plane, const OctantGrid& grid, int guess)
-        : PassedOctants(plane, grid, guess, plane.normal(0).value() < 0 ? -1 : 1) {}
-
-    /// First and last of the rows from (j, k) on.
-    PlaneBand at(int j, int k) { return rows_.at(j, k); }
-
-  private:
-    PassedOctants(const Plane& plane, const OctantGrid& grid, int guess, int turn)
-        : PassedOctants(turn * plane.at(grid.corner).value(), turn * plane.normal(0).value(),
-                        turn * plane.normal(1).value(), turn * plane.normal(2).value(), grid, guess) {}
-
-    // From the value at the grid's corner. The first octant reaches above the plane where all steps lead that
-    // rise, the last one below it where those lead that fall.
-    PassedOctants(std::int64_t at_corner, std::int64_t step_x, std::int64_t step_y, std::int64_t step_z,
-                  const OctantGrid& grid, int guess)
-        : PassedOctants((-at_corner >> grid.shift) - rise(step_y) - rise(step_z),
-                        ~(at_corner >> grid.shift) + rise(-step_y) + rise(-step_z), step_x > 0 ? step_x : 1,
-                        -step_y, -step_z, grid.side(), guess) {}
-
-    PassedOctants(std::int64_t first, std::int64_t last, std::int64_t d, std::int64_t by_y, std::int64_t by_z,
-                  int side, int guess)
-        : rows_({d, by_y, last - first}, first, by_y, by_z, side, guess) {}
-
-    static std::int64_t rise(std::int64_t step) { return step > 0 ? step : 0; }
-
-    OverPlane<PlaneBand> rows_;
-};
-
-} // namespace
-
-// Those of one row; apart, so that it takes no stack while octants are classified.
-[[gnu::noinline]] std::uint32_t FaceInGrid::passed_in_row(const Plane& plane, const IndexRange& x, int j,
-                                                          int k) const {
-    const PlaneBand band = PassedOctants(plane, grid_, x.first).at(j, k);
-    if (plane.normal(0).value() != 0) return band.bits(x);
-    return band.floor() < 0 && band.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
 void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {

@@ -139,7 +139,6 @@ class FaceInGrid {
     void see(int u, int v, const Plane& plane, const Ranges& range, Slabs& slabs) const;
     void add_edges(int u, int v, bool rising_right, Slabs& slabs) const;
     inline void add_edge(int u, int v, const SeenEdge& edge, bool right, Slabs& slabs) const;
-    std::uint32_t passed_in_row(const Plane& plane, const IndexRange& x, int j, int k) const;
     // Octants of a row that are away from rings, and those of them that are met.
     struct Settled {
         std::uint32_t away;

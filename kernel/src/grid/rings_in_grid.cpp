@@ -1,12 +1,16 @@
 // The octants of a grid that a face of any rings meets: by classification, of as few as are needed.
 #include "classify/box.hpp"
 #include "grid/face_in_grid.hpp"
+#include "grid/passed_octants.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
 namespace osem {
 
 namespace {
+
+// While octants are classified small parts have no stack to spare.
+using RowsOfPlane = std::conditional_t<guesses_cost_much, PassedRows, PassedRowsAnew>;
 
 // The axis along which an edge is longest: from slab to slab along it, it goes on by one octant at most.
 int longest_axis(const Point& a, const Point& b) {
@@ -25,6 +29,16 @@ int longest_axis(const Point& a, const Point& b) {
 // the grid stands for all there.
 int slab_of(const OctantGrid& grid, int axis, std::int32_t coordinate) {
     return clipped((coordinate - grid.corner.at[axis]) >> grid.shift, -1, grid.side());
+}
+
+// On which sides of the grid a point lies: a bit for each.
+unsigned sides_beside(const OctantGrid& grid, const Point& point) {
+    unsigned sides = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int slab = slab_of(grid, axis, point.at[axis]);
+        sides = sides << 2 | (slab < 0 ? 1U : 0U) | (slab == grid.side() ? 2U : 0U);
+    }
+    return sides;
 }
 
 // Which octants along u an edge has in slabs along v, from the slab of its low end on.
@@ -67,11 +81,12 @@ void FaceInGrid::mark_any(const Plane& plane, const Ranges& range, std::uint32_t
                           std::uint32_t* scratch, std::uint32_t* near_rings) const {
     static_assert(last_grid_space(4) >= 2 * 16 && last_grid_space(5) >= 2 * 32, "room for a layer");
     const bool has_plane = !plane.is_null();
+    RowsOfPlane passed(plane, grid_, range[0]);
     if (near_rings == nullptr || !has_plane) {
         for (int k = range[2].first; k <= range[2].last; ++k) {
+            passed.begin_layer(range[1].first, k);
             for (int j = range[1].first; j <= range[1].last; ++j) {
-                const std::uint32_t octants =
-                    has_plane ? passed_in_row(plane, range[0], j, k) : range[0].bits();
+                const std::uint32_t octants = has_plane ? passed.next() : range[0].bits();
                 classify_each(octants, j, k, rows);
             }
         }
@@ -82,8 +97,9 @@ void FaceInGrid::mark_any(const Plane& plane, const Ranges& range, std::uint32_t
     for (int j = 0; j < grid_.side(); ++j) below[j] = Settled{0, 0};
     for (int k = range[2].first; k <= range[2].last; ++k) {
         Settled before = {0, 0};
+        passed.begin_layer(range[1].first, k);
         for (int j = range[1].first; j <= range[1].last; ++j) {
-            const std::uint32_t octants = passed_in_row(plane, range[0], j, k);
+            const std::uint32_t octants = passed.next();
             const int row = grid_.row(j, k);
             const std::uint32_t away = octants & ~near_rings[row];
             before = settled(away, before, below[j], j, k);
@@ -128,10 +144,13 @@ void FaceInGrid::find_near_rings(std::uint32_t* near_rings) const {
     for (std::uint32_t r = first_ring_; r != ring_end_; ++r) {
         const Ring ring = solid_.ring(r);
         const Point* a = &solid_.vertices[ring.corners[ring.count - 1]];
+        unsigned beside_a = sides_beside(grid_, *a);
         for (std::uint32_t corner = 0; corner < ring.count; ++corner) {
             const Point* b = &solid_.vertices[ring.corners[corner]];
-            find_near_edge(*a, *b, near_rings);
+            const unsigned beside_b = sides_beside(grid_, *b);
+            if ((beside_a & beside_b) == 0) find_near_edge(*a, *b, near_rings);
             a = b;
+            beside_a = beside_b;
         }
     }
 }
