@@ -192,28 +192,52 @@ class FaceInGrid::RowOfRings {
 void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                           std::uint32_t* scratch) const {
     RowOfRings rings(scratch, grid_.side());
+    std::uint32_t left_out =
+        0; // a bit for each of the first rings that no row crosses behind its first point
+    for (std::uint32_t r = 0; r < 32 && r != ring_end_ - first_ring_; ++r) {
+        if (!may_cross(first_ring_ + r, axis, along_v)) left_out |= std::uint32_t{1} << r;
+    }
     for (int row = along_v.first; row <= along_v.last; ++row) {
         rings.begin();
-        for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring) cross_ring(ring, axis, row, rings);
+        std::uint32_t left = left_out;
+        for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring, left >>= 1) {
+            if ((left & 1U) == 0) cross_ring(ring, axis, row, rings);
+        }
         rings.each_range([&](const IndexRange& range, std::int32_t winding) {
             passages.add(row, common(range, along_u), winding);
         });
     }
 }
 
-// Points are moved up along v: what is level with them is below.
+// Whether rows of a range may cross a ring, and not only before their first point.
+bool FaceInGrid::may_cross(std::uint32_t r, int axis, const IndexRange& along_v) const {
+    const Ring ring = solid_.ring(r);
+    const Extent extent(solid_, ring.corners, ring.corners + ring.count);
+    const int v = ray_v_of[axis];
+    const Point first = grid_.reference();
+    const auto level = [&](int row) { return first.at[v] + (row << grid_.shift); };
+    return extent.high.at[ray_u_of[axis]] > first.at[ray_u_of[axis]] &&
+           extent.high.at[v] > level(along_v.first) && extent.low.at[v] <= level(along_v.last);
+}
+
+// Points are moved up along v: what is level with them is below. And they are moved along u: an edge that
+// begins and ends no further than the first one is left of all.
 void FaceInGrid::cross_ring(std::uint32_t r, int axis, int row, RowOfRings& rings) const {
     const Ring ring = solid_.ring(r);
     const int u = ray_u_of[axis];
     const int v = ray_v_of[axis];
     const std::int32_t level = grid_.reference().at[v] + (row << grid_.shift);
+    const std::int32_t first = grid_.reference().at[u];
+    const std::int32_t last = first + ((grid_.side() - 1) << grid_.shift);
     const Point* a = &solid_.vertices[ring.corners[ring.count - 1]];
     bool begins_below = a->at[v] <= level;
     for (std::uint32_t corner = 0; corner < ring.count; ++corner) {
         const Point* b = &solid_.vertices[ring.corners[corner]];
         const bool ends_below = b->at[v] <= level;
-        if (begins_below != ends_below) {
-            rings.cross(LeftOfEdge({*a, *b, u, v}, grid_, u, v, row).count(), begins_below);
+        if (begins_below != ends_below && (a->at[u] > first || b->at[u] > first)) {
+            const bool is_beyond = a->at[u] > last && b->at[u] > last;
+            rings.cross(is_beyond ? grid_.side() : LeftOfEdge({*a, *b, u, v}, grid_, u, v, row).count(),
+                        begins_below);
         }
         a = b;
         begins_below = ends_below;

@@ -116,6 +116,7 @@ FaceInGrid::Settled FaceInGrid::settled(std::uint32_t away, const Settled& befor
                                         int j, int k) const {
     const std::uint32_t known = before.away | below.away;
     const std::uint32_t known_met = before.met | below.met;
+    if ((away & ~known) == 0) return {away, away & known_met};
     std::uint32_t met = 0;
     for (std::uint32_t left = away; left != 0;) {
         const unsigned first = lowest_of(left);
