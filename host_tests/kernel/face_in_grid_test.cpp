@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "classify/crossing.hpp"
 #include "support/octant_box.hpp"
@@ -26,6 +27,31 @@ OwnWords own_words(std::size_t count) {
     return words;
 }
 
+int in(std::mt19937& random, int first, int last) {
+    return std::uniform_int_distribution<int>(first, last)(random);
+}
+
+OctantGrid any_grid(std::mt19937& random) {
+    const int levels = in(random, 1, 5);
+    const int shift = in(random, 0, 20 - levels);
+    Point corner;
+    for (std::int32_t& at : corner.at) {
+        at = in(random, 0, (root_side >> (shift + levels)) - 1) << (shift + levels);
+    }
+    return {corner, shift, in(random, 0, 1) == 0 ? 0 : (1 << shift) / 2, levels};
+}
+
+bool reaches_into(const Solid& solid, const OctantGrid& grid) {
+    const Extent extent(solid, solid.corners, solid.corners + solid.corner_count);
+    bool reaches = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int32_t low = grid.corner.at[axis];
+        const std::int32_t high = low + (grid.length() << grid.levels);
+        reaches = reaches && extent.low.at[axis] < high && extent.high.at[axis] > low;
+    }
+    return reaches;
+}
+
 // A triangle and a grid that it reaches into: of up to 15 octants along each axis, of up to 40, or as thin
 // but as long as the root; many of its corners are on octants' borders, and many triangles at the grid's end
 // or beyond it.
@@ -34,28 +60,16 @@ struct TriangleInGrid {
     Point points[3] = {};
     std::uint32_t corners[3] = {0, 1, 2};
 
-    explicit TriangleInGrid(std::mt19937& random) : grid(grid_of(random)) {
+    explicit TriangleInGrid(std::mt19937& random) : grid(any_grid(random)) {
         do {
             for (int axis = 0; axis < 3; ++axis) choose(random, axis);
             if (in(random, 0, 3) == 0) turn_along(in(random, 0, 2));
             if (in(random, 0, 5) == 0) stretch(random);
-        } while (!reaches_in());
+        } while (!reaches_into(solid(), grid));
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
 
   private:
-    static int in(std::mt19937& random, int first, int last) {
-        return std::uniform_int_distribution<int>(first, last)(random);
-    }
-    static OctantGrid grid_of(std::mt19937& random) {
-        const int levels = in(random, 1, 5);
-        const int shift = in(random, 0, 20 - levels);
-        Point corner;
-        for (std::int32_t& at : corner.at) {
-            at = in(random, 0, (root_side >> (shift + levels)) - 1) << (shift + levels);
-        }
-        return {corner, shift, in(random, 0, 1) == 0 ? 0 : (1 << shift) / 2, levels};
-    }
     void choose(std::mt19937& random, int axis) {
         const std::int32_t side = grid.length();
         const int most = in(random, 0, 5) == 0 ? 40 : in(random, 1, 15);
@@ -90,16 +104,78 @@ struct TriangleInGrid {
             for (unsigned k = 1; k < 3; ++k) points[k].at[axis] += by;
         }
     }
-    bool reaches_in() const {
-        const Extent extent(solid(), corners, corners + 3);
-        bool reaches = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int32_t low = grid.corner.at[axis];
-            const std::int32_t high = low + (grid.length() << grid.levels);
-            reaches = reaches && extent.low.at[axis] < high && extent.high.at[axis] > low;
-        }
-        return reaches;
+};
+
+// A face of up to 40 rings, most of them about as long as its grid, on a plane that leans or does not;
+// corners are often on octants' borders, or level with reference points, and rings run over each other.
+struct RingsInGrid {
+    OctantGrid grid;
+    std::vector<Point> points;
+    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> ring_starts;
+    std::uint32_t face_rings[2] = {};
+
+    explicit RingsInGrid(std::mt19937& random) : grid(any_grid(random)) {
+        do {
+            up_ = in(random, 0, 2);
+            lean_[0] = in(random, -2, 2);
+            lean_[1] = in(random, 0, 1) == 0 ? 0 : in(random, -2, 2);
+            height_ = in(random, 0, grid.side()) * grid.length() + (in(random, 0, 1) == 0 ? 0 : grid.offset);
+        } while (!choose_rings(random) || !reaches_into(solid(), grid));
     }
+    Solid solid() const {
+        return {points.data(),
+                static_cast<std::uint32_t>(points.size()),
+                corners.data(),
+                static_cast<std::uint32_t>(corners.size()),
+                ring_starts.data(),
+                face_rings,
+                1};
+    }
+
+  private:
+    // False, and rings are to be chosen anew, if the plane leans out of the root.
+    bool choose_rings(std::mt19937& random) {
+        points.clear();
+        corners.clear();
+        ring_starts = {0};
+        const int rings = in(random, 0, 3) == 0 ? in(random, 33, 40) : in(random, 1, 6);
+        for (int ring = 0; ring < rings; ++ring) {
+            const int most = in(random, 0, 1) == 0 ? 4 : 2 * grid.side();
+            const int before[2] = {in(random, -most, grid.side()), in(random, -most, grid.side())};
+            const int count = in(random, 3, 9);
+            for (int corner = 0; corner < count; ++corner) {
+                if (!add_corner(random, before, most)) return false;
+            }
+            ring_starts.push_back(static_cast<std::uint32_t>(corners.size()));
+        }
+        face_rings[1] = static_cast<std::uint32_t>(rings);
+        return true;
+    }
+    bool add_corner(std::mt19937& random, const int (&before)[2], int most) {
+        Point point = {};
+        std::int64_t height = height_;
+        for (int k = 0; k < 2; ++k) {
+            const int axis = (up_ + 1 + k) % 3;
+            std::int32_t from_corner = (before[k] + in(random, 0, most)) * grid.length();
+            from_corner += in(random, 0, 2) == 0   ? in(random, 0, grid.length() - 1)
+                           : in(random, 0, 1) == 0 ? 0
+                                                   : grid.offset;
+            const std::int32_t at = std::clamp(grid.corner.at[axis] + from_corner, 0, root_side);
+            point.at[axis] = at;
+            height += std::int64_t{at - grid.corner.at[axis]} * lean_[k];
+        }
+        const std::int64_t up = grid.corner.at[up_] + height;
+        if (up < 0 || up > root_side) return false;
+        point.at[up_] = static_cast<std::int32_t>(up);
+        corners.push_back(static_cast<std::uint32_t>(points.size()));
+        points.push_back(point);
+        return true;
+    }
+
+    int up_ = 0;
+    int lean_[2] = {};
+    std::int32_t height_ = 0;
 };
 
 TEST(FaceInGrid, MarksTheOctantsThatItMeets) {
@@ -131,7 +207,7 @@ TEST(FaceInGrid, MarksTheOctantsThatItMeets) {
 // What a face adds on the way from the first point to each: along y, then z, then x.
 class Ways {
   public:
-    explicit Ways(const TriangleInGrid& given) : given_(given), solid_(given.solid()) {}
+    Ways(const Solid& solid, const OctantGrid& grid) : solid_(solid), grid_(grid) {}
 
     std::int32_t to(int i, int j, int k) const {
         std::int32_t number = 0;
@@ -143,11 +219,11 @@ class Ways {
 
   private:
     std::int32_t passed(int i, int j, int k, Axis axis) const {
-        return crossing(solid_, 0, given_.grid.point(i, j, k), axis, given_.grid.length());
+        return crossing(solid_, 0, grid_.point(i, j, k), axis, grid_.length());
     }
 
-    const TriangleInGrid& given_;
-    Solid solid_;
+    const Solid& solid_;
+    const OctantGrid& grid_;
 };
 
 TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
@@ -166,12 +242,69 @@ TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
         if (!has_added) FaceInGrid(solid, 0, grid).add_crossings(windings, scratch.get());
         ASSERT_FALSE(windings.overflowed());
         windings.finish(0);
-        const Ways ways(given);
+        const Ways ways(solid, grid);
         for (int look = 0; look < 400; ++look) {
             const auto any = [&] { return std::uniform_int_distribution<int>(0, grid.side() - 1)(random); };
             const int i = any();
             const int j = any();
             const int k = any();
+            const std::int32_t expected = ways.to(i, j, k);
+            ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)),
+                      expected)
+                << trial << ": " << i << ", " << j << ", " << k;
+            crossed += expected != 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(crossed, 2000U);
+}
+
+TEST(FaceInGrid, MarksWhatAFaceOfManyRingsMeets) {
+    std::mt19937 random(10);
+    std::uint64_t met = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+        const RingsInGrid given(random);
+        const OctantGrid& grid = given.grid;
+        const Solid solid = given.solid();
+        const auto count = static_cast<std::size_t>(grid.rows());
+        const OwnWords rows = own_words(count);
+        std::fill_n(rows.get(), count, 0U);
+        const OwnWords scratch = own_words(last_grid_space(grid.levels));
+        const OwnWords near_rings = own_words(count);
+        FaceInGrid(solid, 0, grid)
+            .mark(rows.get(), scratch.get(), trial % 4 == 0 ? nullptr : near_rings.get());
+        for (int look = 0; look < 300; ++look) {
+            const int i = in(random, 0, grid.side() - 1);
+            const int j = in(random, 0, grid.side() - 1);
+            const int k = in(random, 0, grid.side() - 1);
+            const bool expected = classify_box(solid, 0, octant_box(grid, i, j, k)).meets;
+            ASSERT_EQ((rows[static_cast<std::size_t>(grid.row(j, k))] >> i & 1U) != 0, expected)
+                << trial << ": " << i << ", " << j << ", " << k;
+            met += expected ? 1 : 0;
+        }
+    }
+    EXPECT_GT(met, 10000U);
+}
+
+TEST(FaceInGrid, AddsWhatIsCrossedOfManyRings) {
+    std::mt19937 random(11);
+    std::uint64_t crossed = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+        const RingsInGrid given(random);
+        const OctantGrid& grid = given.grid;
+        const Solid solid = given.solid();
+        const auto words =
+            static_cast<std::uint32_t>(10 * grid.rows()); // for numbers up to those of 40 rings
+        const OwnWords numbers = own_words(words);
+        const OwnWords scratch = own_words(last_grid_space(grid.levels));
+        RowWindings windings(numbers.get(), words, grid.levels, WindingRule::nonzero);
+        FaceInGrid(solid, 0, grid).add_crossings(windings, scratch.get());
+        ASSERT_FALSE(windings.overflowed());
+        windings.finish(0);
+        const Ways ways(solid, grid);
+        for (int look = 0; look < 60; ++look) {
+            const int i = in(random, 0, grid.side() - 1);
+            const int j = in(random, 0, grid.side() - 1);
+            const int k = in(random, 0, grid.side() - 1);
             const std::int32_t expected = ways.to(i, j, k);
             ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)),
                       expected)

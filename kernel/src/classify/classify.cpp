@@ -28,7 +28,8 @@ struct CornerSurvey {
         for (; corner != end; ++corner) {
             const unsigned code = outcode(solid.vertices[*corner], box);
             common &= code;
-            strictly_inside |= code == 0;
+            strictly_inside = code == 0;
+            if (strictly_inside) return; // which says all
         }
     }
 };
@@ -137,6 +138,7 @@ Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box) {
     const std::uint32_t* end = solid.corners + solid.first_corner(solid.end_ring(face));
     const CornerSurvey survey(solid, first, end, box);
     if (survey.common != 0) return {Stage::minimax, false};
+    if (survey.strictly_inside) return {Stage::vertices, true}; // the plane passes through that corner
 
     const Plane plane(solid, first, end);
     const Diagonal diagonal(plane, box);
@@ -145,9 +147,7 @@ Decision classify_box(const Solid& solid, std::uint32_t face, const Box& box) {
 
     // A triangle within the closed octant whose plane meets the open one has its inner points there. (A
     // longer ring may run back on itself and have none.)
-    if (survey.strictly_inside || (end - first == 3 && all_in_closed(solid, first, end, box))) {
-        return {Stage::vertices, true};
-    }
+    if (end - first == 3 && all_in_closed(solid, first, end, box)) return {Stage::vertices, true};
 
     if (any_edge_meets(solid, face, box)) return {Stage::section, true};
     if (!has_area) return {Stage::section, false};

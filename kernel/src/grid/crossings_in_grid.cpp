@@ -172,13 +172,13 @@ class FaceInGrid::RowOfRings {
     void each_range(Take take) const {
         std::int32_t winding = first_;
         int first = 0;
-        for (std::uint32_t left = places_; left != 0; left &= left - 1) {
-            const int place = static_cast<int>(lowest_of(left));
+        for (std::uint32_t left = places_;; left &= left - 1) {
+            const int place = left == 0 ? side_ : static_cast<int>(lowest_of(left));
             if (winding != 0) take(IndexRange{first, place - 1}, winding);
+            if (left == 0) return;
             winding += changes_[place];
             first = place;
         }
-        if (winding != 0) take(IndexRange{first, side_ - 1}, winding);
     }
 
   private:

@@ -123,6 +123,10 @@ void FaceInGrid::add_edges(int u, int v, bool rising_right, Slabs& slabs) const 
     }
 }
 
+std::uint32_t PassedRowsAnew::next() {
+    return passed_in_row(plane_, x_, PassedOctants(plane_, grid_, x_.first).at(j_++, k_));
+}
+
 void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {
     const Ranges range = ranges();
     if (range[0].empty() || range[1].empty() || range[2].empty()) return;

@@ -73,7 +73,7 @@ class PassedRows {
     PlaneBand row_;
 };
 
-/// Each row anew, so that nothing is on the stack between them.
+/// Each row anew and apart, so that nothing is on the stack between them.
 class PassedRowsAnew {
   public:
     PassedRowsAnew(const Plane& plane, const OctantGrid& grid, const IndexRange& x)
@@ -83,9 +83,7 @@ class PassedRowsAnew {
         j_ = j;
         k_ = k;
     }
-    [[gnu::noinline]] std::uint32_t next() {
-        return passed_in_row(plane_, x_, PassedOctants(plane_, grid_, x_.first).at(j_++, k_));
-    }
+    std::uint32_t next();
 
   private:
     const Plane& plane_;
