@@ -20,7 +20,7 @@ SUITES = {
     "boundary": "Boundary*",
     "csg": "Csg*",
     "stream": "Stream*",
-    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*:PlacedFaces*:PointsBehind*",
+    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*:PassedOctants*:PlacedFaces*:PointsBehind*",
     "osem": "Pruning*:Grid*:Symmetries*:Octree*",
 }
 

@@ -13,6 +13,7 @@
 
 #include "classify/crossing.hpp"
 #include "support/octant_box.hpp"
+#include "support/random_in.hpp"
 
 namespace osem::tests {
 
@@ -27,18 +28,14 @@ OwnWords own_words(std::size_t count) {
     return words;
 }
 
-int in(std::mt19937& random, int first, int last) {
-    return std::uniform_int_distribution<int>(first, last)(random);
-}
-
 OctantGrid any_grid(std::mt19937& random) {
-    const int levels = in(random, 1, 5);
-    const int shift = in(random, 0, 20 - levels);
+    const int levels = random_in(random, 1, 5);
+    const int shift = random_in(random, 0, 20 - levels);
     Point corner;
     for (std::int32_t& at : corner.at) {
-        at = in(random, 0, (root_side >> (shift + levels)) - 1) << (shift + levels);
+        at = random_in(random, 0, (root_side >> (shift + levels)) - 1) << (shift + levels);
     }
-    return {corner, shift, in(random, 0, 1) == 0 ? 0 : (1 << shift) / 2, levels};
+    return {corner, shift, random_in(random, 0, 1) == 0 ? 0 : (1 << shift) / 2, levels};
 }
 
 bool reaches_into(const Solid& solid, const OctantGrid& grid) {
@@ -63,8 +60,8 @@ struct TriangleInGrid {
     explicit TriangleInGrid(std::mt19937& random) : grid(any_grid(random)) {
         do {
             for (int axis = 0; axis < 3; ++axis) choose(random, axis);
-            if (in(random, 0, 3) == 0) turn_along(in(random, 0, 2));
-            if (in(random, 0, 5) == 0) stretch(random);
+            if (random_in(random, 0, 3) == 0) turn_along(random_in(random, 0, 2));
+            if (random_in(random, 0, 5) == 0) stretch(random);
         } while (!reaches_into(solid(), grid));
     }
     Solid solid() const { return {points, 3, corners, 3, nullptr, nullptr, 1}; }
@@ -72,11 +69,11 @@ struct TriangleInGrid {
   private:
     void choose(std::mt19937& random, int axis) {
         const std::int32_t side = grid.length();
-        const int most = in(random, 0, 5) == 0 ? 40 : in(random, 1, 15);
-        const int before = in(random, -most, grid.side() - 1);
+        const int most = random_in(random, 0, 5) == 0 ? 40 : random_in(random, 1, 15);
+        const int before = random_in(random, -most, grid.side() - 1);
         for (Point& point : points) {
-            std::int32_t from_corner = (before + in(random, 0, most)) * side;
-            if (in(random, 0, 1) == 0) from_corner += in(random, 0, side - 1);
+            std::int32_t from_corner = (before + random_in(random, 0, most)) * side;
+            if (random_in(random, 0, 1) == 0) from_corner += random_in(random, 0, side - 1);
             const std::int32_t at = grid.corner.at[axis] + from_corner;
             point.at[axis] = at < 0 ? 0 : at < root_side ? at : root_side;
         }
@@ -96,7 +93,7 @@ struct TriangleInGrid {
     // Two corners are moved as far, so that the normal stays small.
     void stretch(std::mt19937& random) {
         for (int axis = 0; axis < 3; ++axis) {
-            std::int32_t by = in(random, -root_side, root_side);
+            std::int32_t by = random_in(random, -root_side, root_side);
             for (unsigned k = 1; k < 3; ++k) {
                 const std::int32_t at = points[k].at[axis];
                 by = std::clamp(by, -at, root_side - at);
@@ -117,10 +114,11 @@ struct RingsInGrid {
 
     explicit RingsInGrid(std::mt19937& random) : grid(any_grid(random)) {
         do {
-            up_ = in(random, 0, 2);
-            lean_[0] = in(random, -2, 2);
-            lean_[1] = in(random, 0, 1) == 0 ? 0 : in(random, -2, 2);
-            height_ = in(random, 0, grid.side()) * grid.length() + (in(random, 0, 1) == 0 ? 0 : grid.offset);
+            up_ = random_in(random, 0, 2);
+            lean_[0] = random_in(random, -2, 2);
+            lean_[1] = random_in(random, 0, 1) == 0 ? 0 : random_in(random, -2, 2);
+            height_ = random_in(random, 0, grid.side()) * grid.length() +
+                      (random_in(random, 0, 1) == 0 ? 0 : grid.offset);
         } while (!choose_rings(random) || !reaches_into(solid(), grid));
     }
     Solid solid() const {
@@ -139,11 +137,12 @@ struct RingsInGrid {
         points.clear();
         corners.clear();
         ring_starts = {0};
-        const int rings = in(random, 0, 3) == 0 ? in(random, 33, 40) : in(random, 1, 6);
+        const int rings = random_in(random, 0, 3) == 0 ? random_in(random, 33, 40) : random_in(random, 1, 6);
         for (int ring = 0; ring < rings; ++ring) {
-            const int most = in(random, 0, 1) == 0 ? 4 : 2 * grid.side();
-            const int before[2] = {in(random, -most, grid.side()), in(random, -most, grid.side())};
-            const int count = in(random, 3, 9);
+            const int most = random_in(random, 0, 1) == 0 ? 4 : 2 * grid.side();
+            const int before[2] = {random_in(random, -most, grid.side()),
+                                   random_in(random, -most, grid.side())};
+            const int count = random_in(random, 3, 9);
             for (int corner = 0; corner < count; ++corner) {
                 if (!add_corner(random, before, most)) return false;
             }
@@ -157,10 +156,10 @@ struct RingsInGrid {
         std::int64_t height = height_;
         for (int k = 0; k < 2; ++k) {
             const int axis = (up_ + 1 + k) % 3;
-            std::int32_t from_corner = (before[k] + in(random, 0, most)) * grid.length();
-            from_corner += in(random, 0, 2) == 0   ? in(random, 0, grid.length() - 1)
-                           : in(random, 0, 1) == 0 ? 0
-                                                   : grid.offset;
+            std::int32_t from_corner = (before[k] + random_in(random, 0, most)) * grid.length();
+            from_corner += random_in(random, 0, 2) == 0   ? random_in(random, 0, grid.length() - 1)
+                           : random_in(random, 0, 1) == 0 ? 0
+                                                          : grid.offset;
             const std::int32_t at = std::clamp(grid.corner.at[axis] + from_corner, 0, root_side);
             point.at[axis] = at;
             height += std::int64_t{at - grid.corner.at[axis]} * lean_[k];
@@ -244,7 +243,7 @@ TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
         windings.finish(0);
         const Ways ways(solid, grid);
         for (int look = 0; look < 400; ++look) {
-            const auto any = [&] { return std::uniform_int_distribution<int>(0, grid.side() - 1)(random); };
+            const auto any = [&] { return random_in(random, 0, grid.side() - 1); };
             const int i = any();
             const int j = any();
             const int k = any();
@@ -273,9 +272,9 @@ TEST(FaceInGrid, MarksWhatAFaceOfManyRingsMeets) {
         FaceInGrid(solid, 0, grid)
             .mark(rows.get(), scratch.get(), trial % 4 == 0 ? nullptr : near_rings.get());
         for (int look = 0; look < 300; ++look) {
-            const int i = in(random, 0, grid.side() - 1);
-            const int j = in(random, 0, grid.side() - 1);
-            const int k = in(random, 0, grid.side() - 1);
+            const int i = random_in(random, 0, grid.side() - 1);
+            const int j = random_in(random, 0, grid.side() - 1);
+            const int k = random_in(random, 0, grid.side() - 1);
             const bool expected = classify_box(solid, 0, octant_box(grid, i, j, k)).meets;
             ASSERT_EQ((rows[static_cast<std::size_t>(grid.row(j, k))] >> i & 1U) != 0, expected)
                 << trial << ": " << i << ", " << j << ", " << k;
@@ -302,9 +301,9 @@ TEST(FaceInGrid, AddsWhatIsCrossedOfManyRings) {
         windings.finish(0);
         const Ways ways(solid, grid);
         for (int look = 0; look < 60; ++look) {
-            const int i = in(random, 0, grid.side() - 1);
-            const int j = in(random, 0, grid.side() - 1);
-            const int k = in(random, 0, grid.side() - 1);
+            const int i = random_in(random, 0, grid.side() - 1);
+            const int j = random_in(random, 0, grid.side() - 1);
+            const int k = random_in(random, 0, grid.side() - 1);
             const std::int32_t expected = ways.to(i, j, k);
             ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)),
                       expected)

@@ -43,9 +43,9 @@ class FacesAhead {
 };
 
 /// Parts without caches have nothing to send for, and no room to spare for that.
+template <class FaceOf>
 class NothingAhead {
   public:
-    template <class FaceOf>
     NothingAhead(const Solid& /*solid*/, std::uint32_t /*first*/, std::uint32_t /*end*/,
                  const FaceOf& /*face_of*/) {}
     void send(std::uint32_t /*i*/) const {}
@@ -55,8 +55,8 @@ class NothingAhead {
 template <class FaceOf>
 [[gnu::always_inline]] inline auto faces_ahead(const Solid& solid, std::uint32_t first, std::uint32_t end,
                                                FaceOf face_of) {
-    return std::conditional_t<guesses_cost_much, FacesAhead<FaceOf>, NothingAhead>(solid, first, end,
-                                                                                   face_of);
+    return std::conditional_t<guesses_cost_much, FacesAhead<FaceOf>, NothingAhead<FaceOf>>(solid, first, end,
+                                                                                           face_of);
 }
 
 /// Calls meet(face) for each of the faces face_of(first), face_of(first + 1) ... before face_of(end).
