@@ -26,7 +26,7 @@ struct PlaneInGrid {
         do {
             for (int axis = 0; axis < 3; ++axis) {
                 for (Point& point : points) {
-                    const std::int32_t from_corner = random_in(random, -2, grid.side() + 2) << shift;
+                    const std::int32_t from_corner = random_in(random, -2, grid.side() + 2) * grid.length();
                     const std::int32_t further =
                         random_in(random, 0, 1) == 0 ? 0 : random_in(random, 0, (1 << shift) - 1);
                     point.at[axis] = grid.corner.at[axis] + from_corner + further;
