@@ -76,8 +76,8 @@ TEST(PassedOctants, AreThoseWithCornersOnBothSidesBothWays) {
                 for (int i = x.first; i <= x.last; ++i) {
                     if (passes(plane, grid, i, j, k)) expected |= std::uint32_t{1} << i;
                 }
-                ASSERT_EQ(rows.next(), expected) << trial << ": " << j << ", " << k;
-                ASSERT_EQ(rows_anew.next(), expected) << trial << ": " << j << ", " << k;
+                ASSERT_EQ(rows.next(plane, grid, x, j, k), expected) << trial << ": " << j << ", " << k;
+                ASSERT_EQ(rows_anew.next(plane, grid, x, j, k), expected) << trial << ": " << j << ", " << k;
                 passed += expected != 0 ? 1 : 0;
             }
         }

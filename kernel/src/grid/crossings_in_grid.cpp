@@ -191,17 +191,14 @@ class FaceInGrid::RowOfRings {
 // The same for a face of any rings, row by row.
 void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                           std::uint32_t* scratch) const {
+    static_assert(last_grid_space(4) >= 16 && last_grid_space(5) >= 32, "room for a row");
     RowOfRings rings(scratch, grid_.side());
-    std::uint32_t left_out =
-        0; // a bit for each of the first rings that no row crosses behind its first point
-    for (std::uint32_t r = 0; r < 32 && r != ring_end_ - first_ring_; ++r) {
-        if (!may_cross(first_ring_ + r, axis, along_v)) left_out |= std::uint32_t{1} << r;
-    }
+    const std::uint32_t not_crossed = along_v.count() > 1 ? rings_not_crossed(axis, along_v) : 0;
     for (int row = along_v.first; row <= along_v.last; ++row) {
         rings.begin();
-        std::uint32_t left = left_out;
-        for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring, left >>= 1) {
-            if ((left & 1U) == 0) cross_ring(ring, axis, row, rings);
+        std::uint32_t skipped = not_crossed;
+        for (std::uint32_t ring = first_ring_; ring != ring_end_; ++ring, skipped >>= 1) {
+            if ((skipped & 1U) == 0) cross_ring(ring, axis, row, rings);
         }
         rings.each_range([&](const IndexRange& range, std::int32_t winding) {
             passages.add(row, common(range, along_u), winding);
@@ -209,15 +206,24 @@ void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange&
     }
 }
 
-// Whether rows of a range may cross a ring, and not only before their first point.
-bool FaceInGrid::may_cross(std::uint32_t r, int axis, const IndexRange& along_v) const {
-    const Ring ring = solid_.ring(r);
-    const Extent extent(solid_, ring.corners, ring.corners + ring.count);
+// Of the first rings, a bit for each that the rows of a range do not cross, or only before their first
+// points.
+std::uint32_t FaceInGrid::rings_not_crossed(int axis, const IndexRange& along_v) const {
+    const int u = ray_u_of[axis];
     const int v = ray_v_of[axis];
     const Point first = grid_.reference();
-    const auto level = [&](int row) { return first.at[v] + (row << grid_.shift); };
-    return extent.high.at[ray_u_of[axis]] > first.at[ray_u_of[axis]] &&
-           extent.high.at[v] > level(along_v.first) && extent.low.at[v] <= level(along_v.last);
+    const std::int32_t low = first.at[v] + (along_v.first << grid_.shift);
+    const std::int32_t high = first.at[v] + (along_v.last << grid_.shift);
+    std::uint32_t not_crossed = 0;
+    std::uint32_t place = 1; // no bit is left for those behind the first 32
+    for (std::uint32_t r = first_ring_; r != ring_end_ && place != 0; ++r, place <<= 1) {
+        const Ring ring = solid_.ring(r);
+        const Extent extent(solid_, ring.corners, ring.corners + ring.count);
+        const bool is_crossed =
+            extent.high.at[u] > first.at[u] && extent.high.at[v] > low && extent.low.at[v] <= high;
+        if (!is_crossed) not_crossed |= place;
+    }
+    return not_crossed;
 }
 
 // Points are moved up along v: what is level with them is below. And they are moved along u: an edge that

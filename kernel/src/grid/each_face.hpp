@@ -51,7 +51,7 @@ class NothingAhead {
     void send(std::uint32_t /*i*/) const {}
 };
 
-/// What sends for the faces ahead on this part.
+/// What sends for the faces ahead on this part. (Two classes: cppcheck takes two forms of one for the same.)
 template <class FaceOf>
 [[gnu::always_inline]] inline auto faces_ahead(const Solid& solid, std::uint32_t first, std::uint32_t end,
                                                FaceOf face_of) {

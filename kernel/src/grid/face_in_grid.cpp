@@ -123,8 +123,10 @@ void FaceInGrid::add_edges(int u, int v, bool rising_right, Slabs& slabs) const 
     }
 }
 
-std::uint32_t PassedRowsAnew::next() {
-    return passed_in_row(plane_, x_, PassedOctants(plane_, grid_, x_.first).at(j_++, k_));
+// Here, where what PassedOctants does stands once already.
+[[gnu::noinline]] std::uint32_t PassedRowsAnew::next(const Plane& plane, const OctantGrid& grid,
+                                                     const IndexRange& x, int j, int k) {
+    return passed_in_row(plane, x, PassedOctants(plane, grid, x.first).at(j, k));
 }
 
 void FaceInGrid::mark_many(std::uint32_t* rows, std::uint32_t* scratch, std::uint32_t* near_rings) {

@@ -160,7 +160,7 @@ class FaceInGrid {
                      std::uint32_t* scratch) const;
     void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
                   std::uint32_t* scratch) const;
-    bool may_cross(std::uint32_t r, int axis, const IndexRange& along_v) const;
+    std::uint32_t rings_not_crossed(int axis, const IndexRange& along_v) const;
     void cross_ring(std::uint32_t r, int axis, int row, RowOfRings& rings) const;
 
     const Solid& solid_;

@@ -3,12 +3,10 @@
 #define OSEM_GRID_PASSED_OCTANTS_HPP
 
 #include <cstdint>
-#include <type_traits>
 
 #include "geometry/plane.hpp"
 #include "grid/octant_grid.hpp"
 #include "grid/stair.hpp"
-#include "tree/guesses.hpp"
 
 namespace osem {
 
@@ -53,44 +51,34 @@ inline std::uint32_t passed_in_row(const Plane& plane, const IndexRange& x, cons
     return row.floor() < 0 && row.bits({0, 0}) != 0 ? x.bits() : 0;
 }
 
-/// Row by row of a layer: from each to the next by additions.
+/// Rows one after the other along y, in layers one after the other along z: from each row to the next by
+/// additions.
 class PassedRows {
   public:
     PassedRows(const Plane& plane, const OctantGrid& grid, const IndexRange& x)
-        : plane_(plane), x_(x), passed_(plane, grid, x.first), row_(passed_.at(0, 0)) {}
+        : passed_(plane, grid, x.first), row_(passed_.at(0, 0)) {}
 
     void begin_layer(int j, int k) { row_ = passed_.at(j, k); }
-    std::uint32_t next() {
-        const std::uint32_t octants = passed_in_row(plane_, x_, row_);
+    /// Those of row (j, k), which is the layer's next one. All but that is as before.
+    std::uint32_t next(const Plane& plane, const OctantGrid& /*grid*/, const IndexRange& x, int /*j*/,
+                       int /*k*/) {
+        const std::uint32_t octants = passed_in_row(plane, x, row_);
         row_.next();
         return octants;
     }
 
   private:
-    const Plane& plane_;
-    IndexRange x_;
     PassedOctants passed_;
     PlaneBand row_;
 };
 
-/// Each row anew and apart, so that nothing is on the stack between them.
+/// The same, each row anew: it holds nothing, and what it needs is on the stack for as long as a row takes.
 class PassedRowsAnew {
   public:
-    PassedRowsAnew(const Plane& plane, const OctantGrid& grid, const IndexRange& x)
-        : plane_(plane), grid_(grid), x_(x) {}
+    PassedRowsAnew(const Plane& /*plane*/, const OctantGrid& /*grid*/, const IndexRange& /*x*/) {}
 
-    void begin_layer(int j, int k) {
-        j_ = j;
-        k_ = k;
-    }
-    std::uint32_t next();
-
-  private:
-    const Plane& plane_;
-    const OctantGrid& grid_;
-    const IndexRange& x_;
-    int j_ = 0;
-    int k_ = 0;
+    void begin_layer(int /*j*/, int /*k*/) const {}
+    static std::uint32_t next(const Plane& plane, const OctantGrid& grid, const IndexRange& x, int j, int k);
 };
 
 } // namespace osem

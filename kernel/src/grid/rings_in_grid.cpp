@@ -1,9 +1,12 @@
 // The octants of a grid that a face of any rings meets: by classification, of as few as are needed.
+#include <type_traits>
+
 #include "classify/box.hpp"
 #include "grid/face_in_grid.hpp"
 #include "grid/passed_octants.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
+#include "tree/guesses.hpp"
 
 namespace osem {
 
@@ -86,7 +89,8 @@ void FaceInGrid::mark_any(const Plane& plane, const Ranges& range, std::uint32_t
         for (int k = range[2].first; k <= range[2].last; ++k) {
             passed.begin_layer(range[1].first, k);
             for (int j = range[1].first; j <= range[1].last; ++j) {
-                const std::uint32_t octants = has_plane ? passed.next() : range[0].bits();
+                const std::uint32_t octants =
+                    has_plane ? passed.next(plane, grid_, range[0], j, k) : range[0].bits();
                 classify_each(octants, j, k, rows);
             }
         }
@@ -99,7 +103,7 @@ void FaceInGrid::mark_any(const Plane& plane, const Ranges& range, std::uint32_t
         Settled before = {0, 0};
         passed.begin_layer(range[1].first, k);
         for (int j = range[1].first; j <= range[1].last; ++j) {
-            const std::uint32_t octants = passed.next();
+            const std::uint32_t octants = passed.next(plane, grid_, range[0], j, k);
             const int row = grid_.row(j, k);
             const std::uint32_t away = octants & ~near_rings[row];
             before = settled(away, before, below[j], j, k);
@@ -116,7 +120,7 @@ FaceInGrid::Settled FaceInGrid::settled(std::uint32_t away, const Settled& befor
                                         int j, int k) const {
     const std::uint32_t known = before.away | below.away;
     const std::uint32_t known_met = before.met | below.met;
-    if ((away & ~known) == 0) return {away, away & known_met};
+    if ((away & ~known) == 0) return {away, away & known_met}; // each one is beside another that is like it
     std::uint32_t met = 0;
     for (std::uint32_t left = away; left != 0;) {
         const unsigned first = lowest_of(left);

@@ -7,7 +7,6 @@
 
 #include "osem/node_pool.hpp"
 #include "osem/register_word.hpp"
-#include "tree/unaligned.hpp"
 #include "tree/zeros.hpp"
 
 namespace osem {

@@ -2,6 +2,7 @@
 
 #include "stream/codes.hpp"
 #include "stream/header.hpp"
+#include "tree/unaligned.hpp"
 
 namespace osem {
 

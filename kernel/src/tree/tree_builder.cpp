@@ -14,8 +14,7 @@ namespace {
 // Stands for the index of a group that was only counted: it equals that of no group in a pool.
 constexpr NodeIndex counted_only = static_cast<NodeIndex>(~NodeIndex{0});
 
-// Parts of 64 leaves, eight of them, have no more nodes; and where nodes are written no more are written
-// over.
+// Parts of 64 leaves, eight of them, have no more nodes.
 constexpr std::uint32_t most_of_parts = 8 * 8 + 8;
 
 // The children, of eight leaves each, whose leaves are not all alike: 1 in their bytes. Each other one is one
@@ -29,11 +28,14 @@ constexpr std::uint8_t divided_children(std::uint64_t may, std::uint64_t must) {
     return lowest_of_bytes(bytes_divided(may, must));
 }
 
-// A node of eight leaves in one store, which writes some bytes behind it as well: these are free, or a node
-// is written there next. Bytes of masks come first in a node, and of its index none is set.
+// A node of eight leaves in one store, which may reach over the next one as well. That is written next, or is
+// free: of eight parts the last store is to node 63 of the 72 that there is room for. Bytes of masks come
+// first in a node, and of its index none is set.
 void write_eight(unsigned char* node, std::uint8_t may, std::uint8_t must) {
     static_assert(offsetof(Node, may) == 0 && offsetof(Node, must) == 1, "the order of put_word");
-    static_assert(!guesses_cost_much || sizeof(Node) <= sizeof(RegisterWord), "it is one word");
+    static_assert(!guesses_cost_much ||
+                      (sizeof(RegisterWord) >= sizeof(Node) && sizeof(RegisterWord) <= 2 * sizeof(Node)),
+                  "it is a node, or two");
     put_word(node, may | RegisterWord{must} << 8);
 }
 
