@@ -20,7 +20,7 @@ SUITES = {
     "boundary": "Boundary*",
     "csg": "Csg*",
     "stream": "Stream*",
-    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*:PassedOctants*:PlacedFaces*:PointsBehind*",
+    "grid": "GridConversion*:Stair*:Band*:*RowWindings*:PlaneFunction*:EdgeFunctions*:FaceInGrid*:PassedOctants*:FixedQuotients*:PlacedFaces*:PointsBehind*",
     "osem": "Pruning*:Grid*:Symmetries*:Octree*",
 }
 
@@ -239,6 +239,13 @@ MUTATIONS = [
     ("grid/crossings_in_grid.cpp", "extent.high.at[v] > low", "extent.high.at[v] > high", "rings that end before the last row"),
     ("grid/crossings_in_grid.cpp", "r != ring_end_ && place != 0; ++r, place <<= 1", "r != ring_end_; ++r, place = place << 1 | place >> 31", "rings behind the first 32"),
     ("grid/crossings_in_grid.cpp", "        if (count == side_) return;\n", "", "edges behind a row's last point"),
+    ("grid/fixed_quotients.hpp", "reciprocal.times(n) + 260", "reciprocal.times(n)", "numbers in fixed point that are below what they stand for"),
+    ("grid/fixed_quotients.hpp", "reciprocal.times(n) + 260", "reciprocal.times(n) + 1000", "numbers in fixed point that reach the next one"),
+    ("grid/fixed_quotients.hpp", " + (first * (left >> 2) >> 30)", "", "a reciprocal of 31 bits"),
+    ("grid/fixed_quotients.hpp", "(a_lower * b_upper >> 32)", "0", "a product of upper halves"),
+    ("grid/fixed_quotients.hpp", "is_beyond(by_v, 32 * d)", "false", "planes too steep from row to row"),
+    ("grid/fixed_quotients.hpp", "is_beyond(n, 2048 * d)", "is_beyond(n, 512 * d)", "planes that come near a grid further on"),
+    ("grid/fixed_quotients.hpp", "u * by_u_ + v * by_v_", "u * by_u_", "rows of rays that begin alike"),
     ("grid/passed_octants.hpp", "        row_.next();\n", "", "rows behind a layer's first one"),
     ("grid/rings_in_grid.cpp", "        Settled before = {0, 0};\n        passed.begin_layer(range[1].first, k);", "        Settled before = {0, 0};\n        passed.begin_layer(0, k);", "rows of a layer that a face does not have from the first one on"),
     ("grid/crossings_in_grid.cpp", "((places_ & place) != 0 ? changes_[count] : 0)", "0", "two edges at one place"),

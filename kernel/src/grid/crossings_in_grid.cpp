@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "grid/face_in_grid.hpp"
+#include "grid/fixed_quotients.hpp"
 #include "grid/seen_edge.hpp"
 #include "grid/stair.hpp"
 
@@ -49,13 +50,38 @@ class LeftOfEdge {
 
 } // namespace
 
-// Where rays along an axis pass through the face, and what that adds to winding numbers. The rays' reference
-// points lie before a face's plane, or behind it, as seen from where the normal, turned, points away from.
-// Dividends are bounded as in PassedOctants.
+// Where a plane crosses rays along an axis: the last points before it are quotients. Points are before it, or
+// behind it, as seen from where the normal, turned, points away from. Dividends are bounded as in
+// PassedOctants.
+struct FaceInGrid::RaysThroughPlane {
+    std::int64_t d;
+    std::int64_t n;
+    std::int64_t by_u;
+    std::int64_t by_v;
+
+    RaysThroughPlane(const Plane& plane, const OctantGrid& grid, int axis)
+        : RaysThroughPlane(plane, grid, axis, plane.normal(axis).value() < 0 ? -1 : 1) {}
+
+  private:
+    RaysThroughPlane(const Plane& plane, const OctantGrid& grid, int axis, int turn)
+        : d(turn * plane.normal(axis).value()),
+          n(~((turn * plane.at(grid.reference()).value() - nudge(plane, turn)) >> grid.shift)),
+          by_u(-turn * plane.normal(ray_u_of[axis]).value()),
+          by_v(-turn * plane.normal(ray_v_of[axis]).value()) {}
+
+    // What is on the plane may come to be before it.
+    static int nudge(const Plane& plane, int turn) {
+        const auto along = [&](int axis) { return turn * plane.normal(axis).value(); };
+        return moves_against(along(axis_x), along(axis_y), along(axis_z)) ? 1 : 0;
+    }
+};
+
+// Rays along an axis that pass through the face, and what that adds to winding numbers.
 class FaceInGrid::Passages {
   public:
-    Passages(const Plane& plane, const OctantGrid& grid, int axis, int guess, RowWindings& windings)
-        : Passages(plane, grid, axis, guess, plane.normal(axis).value() < 0 ? -1 : 1, windings) {}
+    Passages(const RaysThroughPlane& rays, const OctantGrid& grid, int axis, int guess, RowWindings& windings)
+        : rows_({rays.d, rays.by_u}, rays.n, rays.by_u, rays.by_v, grid.side() - 1, guess), grid_(grid),
+          axis_(axis), windings_(windings) {}
 
     // Rays in a row along u, around which the face winds so often.
     void add(int v, const IndexRange& along_u, std::int32_t winding) {
@@ -75,25 +101,28 @@ class FaceInGrid::Passages {
     }
 
   private:
-    Passages(const Plane& plane, const OctantGrid& grid, int axis, int guess, int turn, RowWindings& windings)
-        : Passages(turn * plane.normal(axis).value(),
-                   ~((turn * plane.at(grid.reference()).value() - nudge(plane, turn)) >> grid.shift),
-                   -turn * plane.normal(ray_u_of[axis]).value(), -turn * plane.normal(ray_v_of[axis]).value(),
-                   grid, axis, guess, windings) {}
-    Passages(std::int64_t d, std::int64_t n, std::int64_t by_u, std::int64_t by_v, const OctantGrid& grid,
-             int axis, int guess, RowWindings& windings)
-        : rows_({d, by_u}, n, by_u, by_v, grid.side() - 1, guess), grid_(grid), axis_(axis),
-          windings_(windings) {}
-
-    // What is on the plane may come to be before it.
-    static int nudge(const Plane& plane, int turn) {
-        const auto along = [&](int axis) { return turn * plane.normal(axis).value(); };
-        return moves_against(along(axis_x), along(axis_y), along(axis_z)) ? 1 : 0;
-    }
-
     OverPlane<PlaneStair> rows_; // the last points before the plane
     const OctantGrid& grid_;
     int axis_;
+    RowWindings& windings_;
+};
+
+// The same along x, where rays are many, by quotients in fixed point.
+class FaceInGrid::FixedPassages {
+  public:
+    FixedPassages(const FixedQuotients& quotients, const OctantGrid& grid, RowWindings& windings)
+        : quotients_(quotients), grid_(grid), windings_(windings) {}
+
+    void add(int v, const IndexRange& along_u, std::int32_t winding) {
+        if (along_u.empty()) return;
+        FixedQuotients::Stair last = quotients_.at(along_u.first, v);
+        const auto row = static_cast<std::uint32_t>(grid_.row(along_u.first, v));
+        windings_.add_behind(row, row + along_u.count(), last, is_right_handed(axis_x) ? -winding : winding);
+    }
+
+  private:
+    const FixedQuotients& quotients_;
+    const OctantGrid& grid_;
     RowWindings& windings_;
 };
 
@@ -112,14 +141,25 @@ void FaceInGrid::pass(int axis, const IndexRange& along_u, const IndexRange& alo
     const IndexRange own = between(axis); // no point, or every one, comes before the face
     if (along_u.empty() || along_v.empty() || own.last < 0 || own.first == grid_.side()) return;
     if (plane().normal(axis).value() == 0) return; // seen as a line
-    Passages passages(plane(), grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings);
-    is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)
-                : pass_any(axis, along_u, along_v, passages, scratch);
+    const RaysThroughPlane rays(plane(), grid_, axis);
+    const auto pass_by = [&](auto passages) {
+        is_convex() ? pass_convex(axis, along_u, along_v, passages, scratch)
+                    : pass_any(axis, along_u, along_v, passages, scratch);
+    };
+    if constexpr (guesses_cost_much) {
+        if (axis == axis_x) {
+            const FixedQuotients quotients(rays.d, rays.n, rays.by_u, rays.by_v, grid_.side() - 1);
+            if (quotients.fit() && quotients.come_near()) pass_by(FixedPassages(quotients, grid_, windings));
+            if (quotients.fit()) return;
+        }
+    }
+    pass_by(Passages(rays, grid_, axis, clipped(own.first, 0, grid_.side() - 1), windings));
 }
 
 // A row crosses one edge that rises and one that falls: which of them is on the left the normal tells.
+template <class AnyPassages>
 void FaceInGrid::pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v,
-                             Passages& passages, std::uint32_t* scratch) const {
+                             AnyPassages& passages, std::uint32_t* scratch) const {
     static_assert(last_grid_space(4) >= 2 * 16 && last_grid_space(5) >= 2 * 32, "room for both ends of rows");
     // In each row, how many points are left of the one, and of the other; each row that the face has crosses
     // one of either.
@@ -189,8 +229,9 @@ class FaceInGrid::RowOfRings {
 };
 
 // The same for a face of any rings, row by row.
-void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
-                          std::uint32_t* scratch) const {
+template <class AnyPassages>
+void FaceInGrid::pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v,
+                          AnyPassages& passages, std::uint32_t* scratch) const {
     static_assert(last_grid_space(4) >= 16 && last_grid_space(5) >= 32, "room for a row");
     RowOfRings rings(scratch, grid_.side());
     const std::uint32_t not_crossed = along_v.count() > 1 ? rings_not_crossed(axis, along_v) : 0;

@@ -68,7 +68,9 @@ class FaceInGrid {
 
   private:
     class Slabs;
+    struct RaysThroughPlane;
     class Passages;
+    class FixedPassages;
     class RowOfRings;
     struct Index {
         std::int32_t at[3];
@@ -156,9 +158,11 @@ class FaceInGrid {
                            RowWindings& windings, std::uint32_t* scratch);
     void pass(int axis, const IndexRange& along_u, const IndexRange& along_v, RowWindings& windings,
               std::uint32_t* scratch);
-    void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
+    template <class AnyPassages>
+    void pass_convex(int axis, const IndexRange& along_u, const IndexRange& along_v, AnyPassages& passages,
                      std::uint32_t* scratch) const;
-    void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, Passages& passages,
+    template <class AnyPassages>
+    void pass_any(int axis, const IndexRange& along_u, const IndexRange& along_v, AnyPassages& passages,
                   std::uint32_t* scratch) const;
     std::uint32_t rings_not_crossed(int axis, const IndexRange& along_v) const;
     void cross_ring(std::uint32_t r, int axis, int row, RowOfRings& rings) const;

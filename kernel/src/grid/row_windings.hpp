@@ -48,7 +48,8 @@ class RowWindings {
 
     /// Adds a number to those of rows [row, end) behind where a stair ends, which goes from row to row; to
     /// none where it ends before the first point or behind all.
-    [[gnu::always_inline]] void add_behind(std::uint32_t row, std::uint32_t end, PlaneStair& last,
+    template <class Stair>
+    [[gnu::always_inline]] void add_behind(std::uint32_t row, std::uint32_t end, Stair& last,
                                            std::int32_t number) {
         // Mostly it is 1 or -1 and there are two planes: then without a loop over them.
         if (planes_ == 2 && (number == 1 || number == -1)) add_one_behind(row, end, last, number > 0);
@@ -69,7 +70,8 @@ class RowWindings {
     const std::uint32_t* inside();
 
   private:
-    static std::uint32_t behind(const PlaneStair& last) {
+    template <class Stair>
+    static std::uint32_t behind(const Stair& last) {
         return ~std::uint32_t{1} << static_cast<std::uint32_t>(last.value());
     }
     // Adds 1, or takes it away from numbers if `down` has all bits, while two planes suffice: of what has
@@ -83,8 +85,8 @@ class RowWindings {
         return outgrown;
     }
     // As add_behind, while two planes suffice; goes on to the row behind.
-    [[gnu::always_inline]] void add_one_behind(std::uint32_t& row, std::uint32_t end, PlaneStair& last,
-                                               bool up) {
+    template <class Stair>
+    [[gnu::always_inline]] void add_one_behind(std::uint32_t& row, std::uint32_t end, Stair& last, bool up) {
         const std::uint32_t down = up ? 0 : ~std::uint32_t{0};
         const std::size_t to_sign = rows_;
         std::uint32_t* const last_low = plane(0) + end;
