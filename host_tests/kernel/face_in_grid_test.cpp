@@ -216,6 +216,8 @@ class Ways {
         return number;
     }
 
+    const OctantGrid& grid() const { return grid_; }
+
   private:
     std::int32_t passed(int i, int j, int k, Axis axis) const {
         return crossing(solid_, 0, grid_.point(i, j, k), axis, grid_.length());
@@ -224,6 +226,21 @@ class Ways {
     const Solid& solid_;
     const OctantGrid& grid_;
 };
+
+// Numbers of so many points with what is crossed on the way to each; counts those that are not 0.
+void compare_some(const RowWindings& windings, const Ways& ways, std::mt19937& random, int points,
+                  std::uint64_t& crossed) {
+    const OctantGrid& grid = ways.grid();
+    for (int look = 0; look < points; ++look) {
+        const int i = random_in(random, 0, grid.side() - 1);
+        const int j = random_in(random, 0, grid.side() - 1);
+        const int k = random_in(random, 0, grid.side() - 1);
+        const std::int32_t expected = ways.to(i, j, k);
+        ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)), expected)
+            << i << ", " << j << ", " << k;
+        crossed += expected != 0 ? 1 : 0;
+    }
+}
 
 TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
     std::mt19937 random(9);
@@ -241,18 +258,7 @@ TEST(FaceInGrid, AddsWhatIsCrossedOnTheWayToEachPoint) {
         if (!has_added) FaceInGrid(solid, 0, grid).add_crossings(windings, scratch.get());
         ASSERT_FALSE(windings.overflowed());
         windings.finish(0);
-        const Ways ways(solid, grid);
-        for (int look = 0; look < 400; ++look) {
-            const auto any = [&] { return random_in(random, 0, grid.side() - 1); };
-            const int i = any();
-            const int j = any();
-            const int k = any();
-            const std::int32_t expected = ways.to(i, j, k);
-            ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)),
-                      expected)
-                << trial << ": " << i << ", " << j << ", " << k;
-            crossed += expected != 0 ? 1 : 0;
-        }
+        ASSERT_NO_FATAL_FAILURE(compare_some(windings, Ways(solid, grid), random, 400, crossed)) << trial;
     }
     EXPECT_GT(crossed, 2000U);
 }
@@ -299,17 +305,7 @@ TEST(FaceInGrid, AddsWhatIsCrossedOfManyRings) {
         FaceInGrid(solid, 0, grid).add_crossings(windings, scratch.get());
         ASSERT_FALSE(windings.overflowed());
         windings.finish(0);
-        const Ways ways(solid, grid);
-        for (int look = 0; look < 60; ++look) {
-            const int i = random_in(random, 0, grid.side() - 1);
-            const int j = random_in(random, 0, grid.side() - 1);
-            const int k = random_in(random, 0, grid.side() - 1);
-            const std::int32_t expected = ways.to(i, j, k);
-            ASSERT_EQ(windings.at(static_cast<std::uint32_t>(grid.row(j, k)), static_cast<unsigned>(i)),
-                      expected)
-                << trial << ": " << i << ", " << j << ", " << k;
-            crossed += expected != 0 ? 1 : 0;
-        }
+        ASSERT_NO_FATAL_FAILURE(compare_some(windings, Ways(solid, grid), random, 60, crossed)) << trial;
     }
     EXPECT_GT(crossed, 2000U);
 }
