@@ -41,14 +41,21 @@ TEST(Crc, BothTablesGiveThePlainOne) {
     }
 }
 
-// What is known of the first piece reaches five words further.
-TEST(Crc, PiecesOfEveryLengthGiveThePlainOne) {
-    const std::vector<std::uint8_t> bytes = crc_sample(140);
+// Both checksums, whichever one streams here are read with.
+template <class Sum>
+class ChecksumOf : public testing::Test {};
+using Checksums = testing::Types<TableChecksum, SparseChecksum>;
+TYPED_TEST_SUITE(ChecksumOf, Checksums);
+
+// What is known of the first piece reaches 515 bytes further, and is put where it was.
+TYPED_TEST(ChecksumOf, PiecesOfEveryLengthGiveThePlainOne) {
+    const std::vector<std::uint8_t> bytes = crc_sample(1700);
     for (std::size_t first = 0; first < 70; ++first) {
-        for (std::size_t second = 0; second < 20; ++second) {
-            Checksum checksum;
+        for (std::size_t second = 0; second < 600; second += 1 + second / 8) {
+            TypeParam checksum;
             std::size_t at = 0;
-            for (const std::size_t count : {first, second, bytes.size() - first - second}) {
+            for (const std::size_t count :
+                 {first, second, std::size_t{171}, bytes.size() - first - second - 171}) {
                 ASSERT_EQ(checksum.value(), plain_crc(bytes.data(), at)) << first << ' ' << second;
                 checksum.append(bytes.data() + at, count);
                 at += count;
@@ -58,10 +65,22 @@ TEST(Crc, PiecesOfEveryLengthGiveThePlainOne) {
     }
 }
 
-TEST(Crc, GoesOnFromOneThatIsKnown) {
-    const std::vector<std::uint8_t> bytes = crc_sample(100);
+TYPED_TEST(ChecksumOf, PiecesOfOneLengthGiveThePlainOne) {
+    const std::vector<std::uint8_t> bytes = crc_sample(5000);
+    for (const std::size_t piece : {1U, 7U, 31U, 33U, 64U, 171U, 512U, 515U, 516U, 1031U}) {
+        TypeParam checksum;
+        for (std::size_t at = 0; at + piece <= bytes.size(); at += piece) {
+            checksum.append(bytes.data() + at, piece);
+            if (at % 9 != 0) continue;
+            ASSERT_EQ(checksum.value(), plain_crc(bytes.data(), at + piece)) << piece;
+        }
+    }
+}
+
+TYPED_TEST(ChecksumOf, GoesOnFromOneThatIsKnown) {
+    const std::vector<std::uint8_t> bytes = crc_sample(700);
     for (std::size_t count = 0; count < bytes.size(); ++count) {
-        Checksum checksum(plain_crc(bytes.data(), count));
+        TypeParam checksum(plain_crc(bytes.data(), count));
         ASSERT_EQ(checksum.value(), plain_crc(bytes.data(), count));
         checksum.append(bytes.data() + count, bytes.size() - count);
         ASSERT_EQ(checksum.value(), plain_crc(bytes.data(), bytes.size()));

@@ -4,33 +4,55 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "osem/register_word.hpp"
 
 namespace osem {
 
-/// The CRC-32 of IEEE 802.3 of the bytes appended so far. With wide registers it takes no tables: a word is
-/// put out by additions to words that follow, so what is kept of the payload is what the next five are to be
-/// added to. Elsewhere it is the CRC.
-class Checksum {
+/// The CRC-32 of IEEE 802.3 of the bytes appended so far, by a table, in four bytes.
+class TableChecksum {
   public:
     /// Of no bytes, whose CRC is 0; and of bytes whose CRC is known.
-    constexpr Checksum() : Checksum(0) {}
-    constexpr explicit Checksum(std::uint32_t crc) : state_{has_wide_registers ? ~crc : crc} {}
+    constexpr TableChecksum() : TableChecksum(0) {}
+    constexpr explicit TableChecksum(std::uint32_t crc) : crc_(crc) {}
 
-    /// Cost: O(count), and O(1) more where it is no multiple of 8.
+    /// Cost: O(count).
     void append(const std::uint8_t* bytes, std::size_t count);
 
-    /// Cost: O(1), but some hundred instructions.
-    std::uint32_t value() const {
-        return has_wide_registers ? value_of_words() : static_cast<std::uint32_t>(state_[0]);
-    }
+    std::uint32_t value() const { return crc_; }
 
   private:
-    std::uint32_t value_of_words() const;
-
-    RegisterWord state_[has_wide_registers ? 5 : 1];
+    std::uint32_t crc_;
 };
+
+/// The same by a sparse multiple of the polynomial, without a table or a shift: a byte is put out by
+/// additions to four that come so much later that many are put out side by side.
+class SparseChecksum {
+  public:
+    /// Of no bytes, whose CRC is 0; and of bytes whose CRC is known.
+    constexpr SparseChecksum() : SparseChecksum(0) {}
+    constexpr explicit SparseChecksum(std::uint32_t crc)
+        : put_out_{static_cast<std::uint8_t>(~crc), static_cast<std::uint8_t>(~crc >> 8),
+                   static_cast<std::uint8_t>(~crc >> 16), static_cast<std::uint8_t>(~crc >> 24)} {}
+
+    /// Cost: O(count).
+    void append(const std::uint8_t* bytes, std::size_t count);
+
+    /// Cost: O(1), but some thousand instructions.
+    std::uint32_t value() const;
+
+  private:
+    static constexpr unsigned reach = 515; ///< the last bytes to which one is added are so far behind it
+
+    /// What the last bytes were when they were put out, the oldest one at `at_`, where the next one will be.
+    /// At first those that put out what is known.
+    std::uint8_t put_out_[reach];
+    unsigned at_ = 0;
+};
+
+/// What streams are read and written with.
+using Checksum = std::conditional_t<has_wide_registers, SparseChecksum, TableChecksum>;
 
 } // namespace osem
 

@@ -2,78 +2,103 @@
 
 #include "stream/codes.hpp"
 #include "stream/crc.hpp"
-#include "stream/header.hpp"
+#include "tree/unaligned.hpp"
 
 namespace osem {
 
 namespace {
 
-// The polynomial divides x^300 + x^155 + x^117 + x^89 + 1: so a bit is put out, and the remainder stays,
-// where those that come 145, 183, 211 and 300 bits later are inverted.
-static_assert((shifted_out(1, 300) ^ shifted_out(1, 155) ^ shifted_out(1, 117) ^ shifted_out(1, 89)) == 1,
+// The polynomial divides x^515 + x^234 + x^230 + x^171 + 1, and so the same with eight times the exponents,
+// which is its eighth power: a byte is put out, and the remainder stays, where those that come 281, 285, 344
+// and 515 bytes later are inverted by it. There are sparse multiples whose bytes come sooner; but parts that
+// look ahead wait for what has just been stored, where it is loaded in other pieces.
+static_assert((shifted_out(1, 515) ^ shifted_out(1, 234) ^ shifted_out(1, 230) ^ shifted_out(1, 171)) == 1,
               "it divides that");
+constexpr unsigned exponents[] = {171, 230, 234};
 
-// A word is put out; what is then to be added to those behind it. None of its bits comes back in the next
-// one.
-template <class Word>
-[[gnu::always_inline]] inline void put_out(Word word, Word* ahead) {
-    ahead[0] = ahead[1];
-    ahead[1] = ahead[2] ^ word << 17 ^ word << 55;
-    ahead[2] = ahead[3] ^ word >> 47 ^ word >> 9 ^ word << 19;
-    ahead[3] = ahead[4] ^ word >> 45 ^ word << 44;
-    ahead[4] = word >> 20;
-}
-
-template <class Word>
-void append_to(Word* state, const std::uint8_t* bytes, std::size_t count) {
-    if constexpr (sizeof(Word) == 4) {
-        *state = crc_append(*state, bytes, count);
-    } else {
-        Word ahead[] = {state[0], state[1], state[2], state[3], state[4]}; // in registers
-        for (; count >= sizeof(Word); count -= sizeof(Word), bytes += sizeof(Word)) {
-            put_out(codes_at(bytes, 0) ^ ahead[0], ahead);
-        }
-        if (count != 0) { // the first bytes of a word; then all moves up
-            const auto bits = static_cast<unsigned>(8 * count);
-            Word last = ahead[0];
-            for (unsigned bit = 0; bit < bits; bit += 8) last ^= Word{*bytes++} << bit;
-            put_out(last & ((Word{1} << bits) - 1), ahead);
-            for (Word& word : ahead) {
-                const Word next = word;
-                word = last >> bits | next << (64 - bits);
-                last = next;
-            }
-        }
-        for (unsigned i = 0; i < 5; ++i) state[i] = ahead[i];
-    }
-}
-
-// A remainder as it was five words before.
-constexpr std::uint32_t five_words_before(std::uint32_t remainder) {
-    std::uint32_t before = 0xebd369b3U; // what the highest bit was then, and after that the lower ones
+// A remainder as it was 515 bytes before.
+constexpr std::uint32_t before_reach(std::uint32_t remainder) {
+    std::uint32_t before = 0x417d41abU; // what the highest bit was then, and after that the lower ones
     std::uint32_t sum = 0;
     for (unsigned bit = 32; bit-- > 0; before = shifted_out(before, 1)) {
         sum ^= before & (0U - (remainder >> bit & 1U));
     }
     return sum;
 }
-static_assert(five_words_before(shifted_out(0x12345679U, 5 * 64)) == 0x12345679U, "it is an inverse");
+static_assert(before_reach(shifted_out(0x12345679U, 8 * 515)) == 0x12345679U, "it is an inverse");
 
-template <class Word>
-std::uint32_t value_of(const Word* state) {
-    if constexpr (sizeof(Word) == 4) {
-        return *state;
-    } else { // five words of 0s are appended, and taken off again
-        std::uint8_t bytes[5 * sizeof(Word)];
-        for (unsigned i = 0; i < 5; ++i) put_number(bytes + sizeof(Word) * i, state[i]);
-        return ~five_words_before(~crc_append(~std::uint32_t{0}, bytes, sizeof bytes));
+// Where bytes are put out, and those that are added to them.
+struct Places {
+    std::uint8_t* oldest;
+    const std::uint8_t* others[3];
+};
+
+// Puts out as many bytes as `Count` words have at a time, of `count` bytes.
+template <unsigned Count>
+[[gnu::always_inline]] inline void put_out(const std::uint8_t*& bytes, std::size_t& count, Places& places) {
+    constexpr std::size_t size = Count * codes_size;
+    for (; count >= size; count -= size) {
+        Codes words[Count];
+        for (unsigned i = 0; i < Count; ++i) {
+            const unsigned at = i * codes_size;
+            words[i] = codes_at(bytes + at, 0) ^ codes_at(places.oldest + at, 0);
+            for (const std::uint8_t* other : places.others) words[i] ^= codes_at(other + at, 0);
+        }
+        for (unsigned i = 0; i < Count; ++i) put_word(places.oldest + i * codes_size, words[i]);
+        bytes += size;
+        places.oldest += size;
+        for (const std::uint8_t*& other : places.others) other += size;
     }
 }
 
 } // namespace
 
-void Checksum::append(const std::uint8_t* bytes, std::size_t count) { append_to(state_, bytes, count); }
+void TableChecksum::append(const std::uint8_t* bytes, std::size_t count) {
+    crc_ = crc_append(crc_, bytes, count);
+}
 
-std::uint32_t Checksum::value_of_words() const { return value_of(state_); }
+void SparseChecksum::append(const std::uint8_t* bytes, std::size_t count) {
+    while (count != 0) {
+        Places places = {put_out_ + at_, {}};
+        std::size_t taken = reach - at_;
+        if (count < taken) taken = count;
+        for (unsigned i = 0; i < 3; ++i) {
+            const unsigned behind = at_ + exponents[i];
+            const unsigned at = behind < reach ? behind : behind - reach;
+            places.others[i] = put_out_ + at;
+            if (reach - at < taken) taken = reach - at;
+        }
+        count -= taken;
+        at_ += static_cast<unsigned>(taken);
+        if (at_ == reach) at_ = 0;
+        put_out<4>(bytes, taken, places);
+        put_out<1>(bytes, taken, places);
+        for (; taken != 0; --taken) {
+            unsigned sum = *bytes++ ^ *places.oldest;
+            for (const std::uint8_t*& other : places.others) sum ^= *other++;
+            *places.oldest++ = static_cast<std::uint8_t>(sum);
+        }
+    }
+}
+
+// The bytes that all those put out are still to be added to, as if there were no others; they are taken off
+// again.
+std::uint32_t SparseChecksum::value() const {
+    constexpr unsigned piece = 103;
+    std::uint32_t crc = ~std::uint32_t{0};
+    for (unsigned first = 0; first < reach; first += piece) {
+        std::uint8_t ahead[piece];
+        for (unsigned i = 0; i < piece; ++i) {
+            const unsigned place = first + i;
+            unsigned sum = put_out_[(at_ + place) % reach];
+            for (const unsigned exponent : exponents) {
+                if (place + exponent < reach) sum ^= put_out_[(at_ + place + exponent) % reach];
+            }
+            ahead[i] = static_cast<std::uint8_t>(sum);
+        }
+        crc = crc_append(crc, ahead, piece);
+    }
+    return ~before_reach(~crc);
+}
 
 } // namespace osem
