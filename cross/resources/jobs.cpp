@@ -16,6 +16,7 @@ namespace {
 
 constexpr int depth = 6; // 64 x 64 x 64 leaves at most
 constexpr std::uint32_t query_count = 1000;
+constexpr std::uint32_t stream_query_count = 100;
 constexpr std::uint32_t block_size = 32768; // words; the job below checks that they suffice
 constexpr std::int32_t box_side = root_side / 16;
 
@@ -57,6 +58,9 @@ struct StreamMemory {
     Sink sink() { return Sink{write, this, replace}; }
     Source source() const { return memory_source(bytes, length); }
     StreamCheckOutcome check() const { return check_stream(source()); }
+    StreamCheckOutcome check(std::uint8_t* index_of, std::size_t size) const {
+        return check_stream(source(), index_of, size);
+    }
 
   private:
     static bool write(void* context, const std::uint8_t* from, std::size_t count) {
@@ -74,6 +78,7 @@ struct StreamMemory {
 StreamMemory stream;
 StreamMemory other_stream;
 StreamMemory united_stream;
+std::uint8_t index[1000];
 
 // Pseudo-random cells from which a box of queries still lies in the root (a linear congruential generator;
 // constants of Numerical Recipes).
@@ -93,6 +98,18 @@ bool point_queries(const Octree& tree) {
         if (leaf_at(tree, cell).leaf.colour == Colour::black) ++found;
     }
     return found != 0 && found != query_count;
+}
+
+// Each answer is compared with the tree's, which takes a twentieth of the time at most.
+bool stream_queries(const Source& source, const Octree& tree) {
+    bool same = true;
+    for (std::uint32_t i = 0; i < stream_query_count; ++i) {
+        const StreamPointOutcome found = leaf_at(source, cells[i]);
+        const Leaf expected = leaf_at(tree, cells[i]).leaf;
+        same &= found.point.status == Status::ok && found.point.leaf.colour == expected.colour &&
+                found.point.leaf.octant.corner == expected.octant.corner;
+    }
+    return same;
 }
 
 bool box_queries(const Octree& tree) {
@@ -172,7 +189,14 @@ bool stream_jobs(const Octree& tree, const Octree& other, const Octree& both) {
                        united_stream.sink())
                    .status == Status::ok;
     });
-    return good && same_leaves(tree, same) && same_leaves(united_stream.source(), both).same;
+    good &= same_leaves(united_stream.source(), both).same;
+    good &= count("stream_queries", [&] { return stream_queries(checked.source, tree); });
+    good &= count("index_stream", [&] {
+        checked = stream.check(index, sizeof index);
+        return checked.status == Status::ok;
+    });
+    good &= count("indexed_stream_queries", [&] { return stream_queries(checked.source, tree); });
+    return good && same_leaves(tree, same);
 }
 
 bool all_jobs() {

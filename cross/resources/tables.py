@@ -40,6 +40,9 @@ JOB_TEXTS = {
     "stream_union": "union of two such streams, in one pass",
     "check_stream": "check one of these streams",
     "checked_stream_union": "the union, both checked before",
+    "index_stream": "check one of them, and index its subtrees",
+    "stream_queries": "100 point queries in a stream that was checked before",
+    "indexed_stream_queries": "the same with its index",
 }
 ONE_BY_ONE = 100  # bytes; functions with less stack share one row
 

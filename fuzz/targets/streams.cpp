@@ -141,9 +141,21 @@ void expect_same_point(const Source& source, const Octree& tree, Choices& choice
     EXPECT_EQ(leaf_at(source, Point{{cell.x(), -1, cell.z()}}).point.status, Status::point_off_root);
 }
 
+/// A stream that was checked before, or not, or indexed.
+template <class AnySource>
+void choose_known(AnySource& source, const Bytes& bytes, Bytes& index, Choices& choices) {
+    const std::uint32_t known = choices.below(3);
+    source.checked = known != 0;
+    if (known < 2) return;
+    index = tests::index_of(bytes);
+    source.index = index.data();
+}
+
 void expect_accepted(const Bytes& bytes, const StreamHeader& header, const Octree& tree, Choices& choices) {
     EXPECT_TRUE(tests::written(tree, header) == bytes) << "accepted, but the writer writes something else";
-    const Source source = source_of(bytes, choices.flag());
+    Bytes index;
+    Source source = source_of(bytes);
+    choose_known(source, bytes, index, choices);
     const StreamMeasures measured = measure(source);
     ASSERT_EQ(measured.status, Status::ok);
     const Measures m = measure(tree);
@@ -202,6 +214,9 @@ bool judge(const Bytes& bytes, Choices& choices) {
     EXPECT_LE(checked.offset, bytes.size());
     EXPECT_EQ(walk(bytes, choices) == Status::ok, checked.built.status == Status::ok);
     EXPECT_EQ(check_stream(source_of(bytes)).status == Status::ok, checked.built.status == Status::ok);
+    Bytes index(bytes.size()); // more than is needed
+    const StreamCheckOutcome indexed = check_stream(source_of(bytes), index.data(), index.size());
+    EXPECT_EQ(indexed.status == Status::ok, checked.built.status == Status::ok);
     if (checked.built.status != Status::ok) {
         tests::HeapPool pool(choices.byte());
         const tests::PoolImage before(pool);
@@ -237,8 +252,10 @@ void expect_combined(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& 
     StreamCombination job;
     TestSource source_a(a);
     TestSource source_b(b);
-    source_a.checked = choices.flag();
-    source_b.checked = choices.flag();
+    Bytes index_a;
+    Bytes index_b;
+    choose_known(source_a, a, index_a, choices);
+    if (op != 4) choose_known(source_b, b, index_b, choices);
     Collector collector;
     const std::uint32_t obstacle = choices.below(8); // mostly none
     if (obstacle == 0) source_a.fail_at = choices.below(40);
@@ -274,8 +291,12 @@ void expect_combined(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& 
 void expect_combined_at_once(std::uint32_t op, const Bytes& a, const Bytes& b, Choices& choices) {
     StreamCombination job;
     Collector collector;
-    const Source source_a = source_of(a, choices.flag());
-    const Source source_b = source_of(b, choices.flag());
+    Bytes index_a;
+    Bytes index_b;
+    Source source_a = source_of(a);
+    Source source_b = source_of(b);
+    choose_known(source_a, a, index_a, choices);
+    if (op != 4) choose_known(source_b, b, index_b, choices);
     const StreamCombinationOutcome outcome =
         op == 4 ? complement(job, source_a, collector.sink())
                 : combine(job, static_cast<Operator>(op), source_a, source_b, collector.sink());

@@ -33,9 +33,9 @@ Octree agreed_tree(const Pair& pair, Operator op, LeafRule leaves, const std::st
     OsemPair& trees = trees_of(pair, leaves);
     trees.prepare(op);
     const Octree result = trees.combine_in_pool(op);
-    require(trees.combine_streams(op) == stream_of(result), what + ": streams and pool differ");
-    require(trees.combine_checked_streams(op) == stream_of(result),
-            what + ": checked streams and pool differ");
+    for (const Known known : {Known::nothing, Known::checked, Known::indexed}) {
+        require(trees.combine_streams(op, known) == stream_of(result), what + ": streams and pool differ");
+    }
     return result;
 }
 

@@ -20,19 +20,17 @@ void run_pool(benchmark::State& state, const Pair& pair, Operator op, LeafRule l
         static_cast<double>(result + trees.nodes() * sizeof(Node) + sizeof(Combination));
 }
 
-using CombineStreams = const Bytes& (OsemPair::*)(Operator);
-
 void run_streams(benchmark::State& state, const Pair& pair, Operator op, LeafRule leaves,
-                 CombineStreams combine_streams = &OsemPair::combine_streams) {
+                 Known known = Known::nothing) {
     static_cast<void>(agreed_cells(pair, op));
     OsemPair& trees = trees_of(pair, leaves);
-    const auto combined = [&]() -> const Bytes& { return (trees.*combine_streams)(op); };
+    const auto combined = [&]() -> const Bytes& { return trees.combine_streams(op, known); };
     std::uint64_t result = combined().size(); // touches the pages
     for (auto _ : state) benchmark::DoNotOptimize(result = combined().size());
     state.counters["nodes"] = static_cast<double>(trees.nodes());
     state.counters["result_bytes"] = static_cast<double>(result);
     state.counters["memory_bytes"] =
-        static_cast<double>(result + trees.stream_bytes() + sizeof(StreamCombination));
+        static_cast<double>(result + trees.stream_bytes(known) + sizeof(StreamCombination));
 }
 
 void run_runs(benchmark::State& state, const Pair& pair, Operator op) {
@@ -59,9 +57,10 @@ void add_boolean(const Pair& pair, Operator op) {
     add("runs", [=](benchmark::State& state) { run_runs(state, pair, op); });
     add("osem-pool", [=](benchmark::State& state) { run_pool(state, pair, op, LeafRule::centre); });
     add("osem-stream", [=](benchmark::State& state) { run_streams(state, pair, op, LeafRule::centre); });
-    add("osem-stream-checked", [=](benchmark::State& state) {
-        run_streams(state, pair, op, LeafRule::centre, &OsemPair::combine_checked_streams);
-    });
+    add("osem-stream-checked",
+        [=](benchmark::State& state) { run_streams(state, pair, op, LeafRule::centre, Known::checked); });
+    add("osem-stream-indexed",
+        [=](benchmark::State& state) { run_streams(state, pair, op, LeafRule::centre, Known::indexed); });
     add("osem-pool-three",
         [=](benchmark::State& state) { run_pool(state, pair, op, LeafRule::conservative); });
     add("osem-stream-three",

@@ -30,14 +30,25 @@ Bytes stream_of(const Octree& tree) {
     return bytes;
 }
 
+StreamInMemory::StreamInMemory(const Octree& tree)
+    : bytes(stream_of(tree)), index(subtree_index_size(measure(tree).nodes)) {
+    require_ok(check_stream(memory_source(bytes.data(), bytes.size()), index.data(), index.size()).status);
+}
+
+Source StreamInMemory::source(Known known) const {
+    Source source = memory_source(bytes.data(), bytes.size());
+    source.checked = known != Known::nothing;
+    source.index = known == Known::indexed ? index.data() : nullptr;
+    return source;
+}
+
 OsemPair::OsemPair(const BenchSolid& a, const BenchSolid& b, int depth, LeafRule leaves)
     : a_(converted(a, {depth, leaves, WindingRule::nonzero})),
-      b_(converted(b, {depth, leaves, WindingRule::nonzero})) {
+      b_(converted(b, {depth, leaves, WindingRule::nonzero})), a_in_stream_(pool_->adopted(a_)),
+      b_in_stream_(b_) {
     a_ = pool_->adopted(a_);
     mark_ = pool_->pool().used();
-    stream_a_ = stream_of(a_);
-    stream_b_ = stream_of(b_);
-    result_.reserve(stream_a_.size() + stream_b_.size());
+    result_.reserve(stream_bytes(Known::nothing));
 }
 
 // A tree behind those that the pool holds.
@@ -77,9 +88,11 @@ Octree OsemPair::combine_in_pool(Operator op) {
     return outcome.tree;
 }
 
-const Bytes& OsemPair::combine_streams(Operator op, const Source& a, const Source& b) {
+const Bytes& OsemPair::combine_streams(Operator op, Known known) {
     result_.clear();
-    const StreamCombinationOutcome outcome = combine(*stream_job_, op, a, b, Sink{append, &result_, replace});
+    const StreamCombinationOutcome outcome =
+        combine(*stream_job_, op, a_in_stream_.source(known), b_in_stream_.source(known),
+                Sink{append, &result_, replace});
     require_ok(outcome.status);
     return result_;
 }

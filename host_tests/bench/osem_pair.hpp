@@ -19,6 +19,21 @@ using Bytes = std::vector<std::uint8_t>;
 /// The bytes of a tree's stream.
 Bytes stream_of(const Octree& tree);
 
+/// What is known of streams before they are combined: nothing, that they are streams, where subtrees end.
+enum class Known { nothing, checked, indexed };
+
+/// A stream in memory, and its index.
+struct StreamInMemory {
+    explicit StreamInMemory(const Octree& tree);
+    Source source(Known known) const;
+    std::uint64_t size(Known known) const {
+        return bytes.size() + (known == Known::indexed ? index.size() : 0);
+    }
+
+    Bytes bytes;
+    Bytes index;
+};
+
 /// Two solids converted to one depth. The pool has room for both trees and for one result at a time, which
 /// takes the place of the one before.
 class OsemPair {
@@ -31,35 +46,27 @@ class OsemPair {
     /// Nodes that the result of the last combination added to the pool.
     std::uint64_t nodes_added() const { return pool_->pool().used() - mark_; }
 
-    /// The result's stream, in memory that is used again; of operands that are checked on the way, or have
-    /// been checked before.
-    const Bytes& combine_streams(Operator op) {
-        return combine_streams(op, memory_source(stream_a_.data(), stream_a_.size()),
-                               memory_source(stream_b_.data(), stream_b_.size()));
-    }
-    const Bytes& combine_checked_streams(Operator op) {
-        Source a = memory_source(stream_a_.data(), stream_a_.size());
-        Source b = memory_source(stream_b_.data(), stream_b_.size());
-        a.checked = b.checked = true;
-        return combine_streams(op, a, b);
-    }
+    /// The result's stream, in memory that is used again.
+    const Bytes& combine_streams(Operator op, Known known);
 
-    std::uint64_t stream_bytes() const { return stream_a_.size() + stream_b_.size(); }
+    /// Bytes of both streams, and of their indexes if they have any.
+    std::uint64_t stream_bytes(Known known) const {
+        return a_in_stream_.size(known) + b_in_stream_.size(known);
+    }
 
     /// Nodes of both operands.
     std::uint64_t nodes() const { return measure(a_).nodes + measure(b_).nodes; }
 
   private:
     Octree converted(const BenchSolid& solid, const ConvertOptions& options);
-    const Bytes& combine_streams(Operator op, const Source& a, const Source& b);
     void grow(std::uint64_t nodes);
 
     std::unique_ptr<host::HostPool> pool_ = std::make_unique<host::HostPool>(0);
     Octree a_;
     Octree b_;
     std::uint32_t mark_ = 0;
-    Bytes stream_a_;
-    Bytes stream_b_;
+    StreamInMemory a_in_stream_;
+    StreamInMemory b_in_stream_;
     Bytes result_;
     std::unique_ptr<Combination> job_ = std::make_unique<Combination>();
     std::unique_ptr<StreamCombination> stream_job_ = std::make_unique<StreamCombination>();

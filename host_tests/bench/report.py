@@ -13,8 +13,8 @@ METHODS = {
     "convert": ["scan-runs", "scan-bits", "scan-simple", "osem-centre", "osem-three", "plain-centre",
                 "plain-three", "vdb-fill"],
     "threads": ["threads-1", "threads-2", "threads-4", "threads-8"],
-    "union": ["runs", "osem-pool", "osem-stream", "osem-stream-checked", "osem-pool-three", "osem-stream-three", "vdb-topology", "vdb-csg",
-              "cgal"],
+    "union": ["runs", "osem-pool", "osem-stream", "osem-stream-checked", "osem-stream-indexed", "osem-pool-three",
+              "osem-stream-three", "vdb-topology", "vdb-csg", "cgal"],
 }
 METHODS["intersection"] = METHODS["difference"] = METHODS["union"]
 FLOOR = {"convert": "scan-runs", "threads": "threads-1", "union": "runs", "intersection": "runs", "difference": "runs"}
@@ -35,7 +35,7 @@ operands.
 
 - `osem-centre`, `osem-three`: octrees by grids, centre leaves or three-valued ones; `plain-*`: octant by octant. `osem-pool`,
   `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB); `osem-stream-checked`: of
-  streams that were checked before.
+  streams that were checked before; `osem-stream-indexed`: of such ones with an index of their subtrees.
 - `scan-runs`, `scan-bits`: the scanline's rows of runs, and a bit a cell of them; `runs`: their Booleans. It has been made fast;
   `scan-simple` is what one writes first, to the same runs: each row of a triangle's bounding box against its three edges, a division
   a crossing.

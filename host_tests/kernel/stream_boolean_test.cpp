@@ -281,8 +281,8 @@ TEST(StreamBoolean, UnfinishedWorkIsSaidToBe) {
 }
 
 TEST(StreamBoolean, ASinkMayRefuseEveryWrite) {
-    const Bytes a = stream_of(random_grid(4, 31, three_colours));
-    const Bytes b = stream_of(random_grid(4, 32, three_colours));
+    const Bytes a = stream_of(random_grid(5, 31, three_colours));
+    const Bytes b = stream_of(random_grid(5, 32, three_colours));
     StreamCombination job;
     TestSink whole;
     ASSERT_EQ(combine(job, Operator::exclusive_or, source_of(a), source_of(b), whole.sink()).status,

@@ -95,14 +95,18 @@ bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
 
 // A stream that lies in memory, or one that must be read.
 struct Place {
-    Place(const Bytes& bytes, bool checked, bool read) : exact(bytes), reader(bytes) {
-        reader.checked = checked;
-        source = read ? reader.source() : source_of(exact, checked);
+    Place(const Bytes& bytes, Known known, bool read)
+        : exact(bytes), index(known == Known::indexed ? index_of(bytes) : Bytes()), reader(bytes) {
+        reader.checked = known != Known::nothing;
+        reader.index = index.empty() ? nullptr : index.data();
+        source = read ? reader.source() : source_of(exact, reader.checked);
+        source.index = reader.index;
     }
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
 
     Bytes exact; // no memory behind its last byte, so that a sanitizer sees what is read there
+    Bytes index;
     TestSource reader;
     Source source;
 };
@@ -119,10 +123,10 @@ TEST(StreamSubtree, UnevenTreesByEveryOperator) {
         const int depth = std::max(a.depth, b.depth);
         for (const Operator op : all_operators) {
             const Bytes expected = Sample{combined(op, a.part, b.part), depth}.bytes();
-            for (const unsigned way : {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}) { // checked: neither, either, both
+            for (unsigned way = 0; way < 18; ++way) { // each operand in each way, in memory or not
                 Bytes result;
-                const Place from_a(bytes_a, way % 2 != 0, way / 4 != 0);
-                const Place from_b(bytes_b, way / 2 % 2 != 0, way / 4 != 0);
+                const Place from_a(bytes_a, all_known[way % 3], way / 9 != 0);
+                const Place from_b(bytes_b, all_known[way / 3 % 3], way / 9 != 0);
                 ASSERT_EQ(combine(job, op, from_a.source, from_b.source, Sink{append, &result}).status,
                           Status::ok);
                 ASSERT_EQ(result, expected) << seed << ", way " << way;
@@ -146,10 +150,11 @@ TEST(StreamSubtree, ALargeTreeBesideALeaf) {
     const Bytes bytes = Sample{grey_part(6, 12, three_colours, random), 6}.bytes();
     ASSERT_GT(bytes.size(), 10000U);
     const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
-    for (const unsigned way : {0U, 1U, 2U, 3U}) {
-        const Place from(bytes, way % 2 != 0, way / 2 != 0);
+    for (unsigned way = 0; way < 6; ++way) {
+        const Place from(bytes, all_known[way % 3], way / 3 != 0);
+        const Place beside(leaf, all_known[way % 3], way / 3 != 0);
         Bytes result;
-        ASSERT_EQ(combine(job, Operator::unite, from.source, source_of(leaf), Sink{append, &result}).status,
+        ASSERT_EQ(combine(job, Operator::unite, from.source, beside.source, Sink{append, &result}).status,
                   Status::ok);
         EXPECT_EQ(result, bytes) << way;
     }
@@ -241,13 +246,13 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
         const Bytes expected = Sample{combined(op, a.part, b.part), std::max(a.depth, b.depth)}.bytes();
         const std::size_t most_octants = 2 * (colours_of(a.part).size() + colours_of(b.part).size());
         for (const std::uint32_t octants : {1U, 2U, 3U, 7U, 40U}) {
-            for (const unsigned way : {0U, 1U, 2U, 3U}) {
-                const bool checked = way % 2 != 0;
-                const Place from_a(bytes_a, checked, way / 2 != 0);
-                const Place from_b(bytes_b, checked, way / 2 != 0);
+            for (unsigned way = 0; way < 6; ++way) {
+                const Known known = all_known[way % 3];
+                const Place from_a(bytes_a, known, way / 3 != 0);
+                const Place from_b(bytes_b, known, way / 3 != 0);
                 Bytes result;
                 ASSERT_EQ(job.begin(op, from_a.source, from_b.source, Sink{append, &result}), Status::ok);
-                expect_exact_progress(job, octants, volumes, most_octants, checked);
+                expect_exact_progress(job, octants, volumes, most_octants, known != Known::nothing);
                 EXPECT_EQ(job.finish().status, Status::ok);
                 EXPECT_EQ(job.decided_volume(), root_volume);
                 EXPECT_EQ(result, expected) << seed << ", way " << way;
@@ -390,14 +395,14 @@ TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
         const std::vector<Colour> colours = colours_of(part);
         const auto nodes = static_cast<std::size_t>(std::count(colours.begin(), colours.end(), Colour::grey));
         for (const std::uint32_t octants : {1U, 2U, 3U, 7U}) {
-            for (const unsigned way : {0U, 1U, 2U, 3U}) {
-                const Place from(bytes, way % 2 != 0, way / 2 != 0);
+            for (unsigned way = 0; way < 6; ++way) {
+                const Place from(bytes, all_known[way % 3], way / 3 != 0);
                 Bytes result;
                 ASSERT_EQ(job.begin(Operator::unite, from.source, source_of(leaf), Sink{append, &result}),
                           Status::ok);
                 std::size_t steps = 1;
                 while (job.step(octants)) ++steps;
-                const unsigned at_once = way % 2 != 0 ? 31 : 0;
+                const unsigned at_once = way % 3 == 0 ? 0 : way % 3 == 1 ? 31 : 50;
                 EXPECT_GE(steps * (octants + at_once), 2 * nodes) << way;
                 EXPECT_EQ(result, bytes) << way;
             }
@@ -411,8 +416,9 @@ TEST(StreamSubtree, SkippingLeadsBehindTheSubtree) {
     for (int round = 0; round < 12; ++round) {
         const int depth = 2 + round % 4;
         const Bytes bytes = Sample{bushy_part(depth, three_colours, random), depth}.bytes();
+        const Place from(bytes, all_known[round % 3], round / 3 % 2 != 0);
         std::vector<StreamCursor> places(1);
-        for (places[0].begin(source_of(bytes)); !places.back().done();) {
+        for (places[0].begin(from.source); !places.back().done();) {
             places.push_back(places.back());
             places.back().next();
         }
@@ -428,6 +434,107 @@ TEST(StreamSubtree, SkippingLeadsBehindTheSubtree) {
             if (cursor.done()) continue;
             ASSERT_EQ(cursor.level(), places[behind].level()) << at;
             ASSERT_EQ(cursor.octant().corner, places[behind].octant().corner) << at;
+        }
+    }
+}
+
+// What is to come, octant by octant.
+Bytes plain_index(const std::vector<Colour>& colours) {
+    constexpr std::size_t block = 256; // octants
+    Bytes index;
+    unsigned to_come = 1;
+    for (std::size_t first = 0; first < colours.size(); first += block) {
+        const unsigned before = to_come;
+        unsigned least = to_come;
+        for (std::size_t at = first; at < std::min(first + block, colours.size()); ++at) {
+            to_come += colours[at] == Colour::grey ? 7U : ~0U;
+            least = std::min(least, to_come);
+        }
+        index.push_back(static_cast<std::uint8_t>(before));
+        index.push_back(static_cast<std::uint8_t>(least));
+    }
+    return index;
+}
+
+TEST(StreamSubtree, AnIndexSaysWhatIsToCome) {
+    std::size_t most = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        const Sample sample = sample_of(seed);
+        const Bytes bytes = sample.bytes();
+        const Bytes expected = plain_index(colours_of(sample.part));
+        ASSERT_EQ(index_of(bytes), expected) << seed;
+        most = std::max(most, expected.size());
+        Bytes index(expected.size() - 1);
+        EXPECT_EQ(check_stream(source_of(bytes), index.data(), index.size()).status,
+                  Status::scratch_too_small);
+        EXPECT_TRUE(std::all_of(index.begin(), index.end(), [](std::uint8_t byte) { return byte == 0; }));
+    }
+    EXPECT_GT(most, 40U);
+}
+
+// The fault is that which is found without an index; then there is none.
+TEST(StreamSubtree, DamagedStreamsHaveNoIndex) {
+    std::mt19937 random(13);
+    const Bytes whole = Sample{grey_part(4, 10, three_colours, random), 4}.bytes();
+    for (std::size_t size = 0; size < whole.size() + 2; ++size) {
+        Bytes bytes = whole;
+        bytes.resize(size);
+        if (size >= whole.size())
+            bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1 + random() % 255);
+        Bytes index(size);
+        const StreamCheckOutcome plain = check_stream(source_of(bytes));
+        const StreamCheckOutcome outcome = check_stream(source_of(bytes), index.data(), index.size());
+        ASSERT_NE(outcome.status, Status::ok);
+        EXPECT_EQ(outcome.status, plain.status) << size;
+        EXPECT_EQ(outcome.offset, plain.offset) << size;
+        EXPECT_FALSE(outcome.source.checked);
+        EXPECT_EQ(outcome.source.index, nullptr);
+        EXPECT_EQ(outcome.source.size, size);
+    }
+}
+
+// Most of it is not even read.
+TEST(StreamSubtree, AnIndexSavesReads) {
+    std::mt19937 random(14);
+    const Bytes bytes = Sample{grey_part(6, 12, two_colours, random), 6}.bytes();
+    const Place from(bytes, Known::indexed, true);
+    ASSERT_GT(bytes.size(), 10000U);
+    for (const Known known : {Known::checked, Known::indexed}) {
+        TestSource source(bytes);
+        source.checked = true;
+        source.index = known == Known::indexed ? from.reader.index : nullptr;
+        const Point last = {{root_side - 1, root_side - 1, root_side - 1}};
+        ASSERT_EQ(leaf_at(source.source(), last).point.leaf.colour,
+                  leaf_at(source_of(bytes), last).point.leaf.colour);
+        if (known == Known::checked) {
+            EXPECT_GT(source.reads, bytes.size() / 64);
+        } else {
+            EXPECT_LT(source.reads, 130U); // two a child that goes by
+        }
+    }
+}
+
+TEST(StreamSubtree, APointsLeafIsTheSameHoweverMuchIsKnown) {
+    std::mt19937 random(15);
+    for (int round = 0; round < 40; ++round) {
+        const int depth = 1 + round % 6;
+        const Bytes bytes = Sample{grey_part(depth, 9, three_colours, random), depth}.bytes();
+        for (int i = 0; i < 40; ++i) {
+            Point cell;
+            for (std::int32_t& coordinate : cell.at)
+                coordinate = static_cast<std::int32_t>(random() % root_side);
+            const StreamPointOutcome expected = leaf_at(source_of(bytes), cell);
+            for (const unsigned way : {1U, 2U, 4U, 5U}) {
+                const Place from(bytes, all_known[way % 3], way / 3 != 0);
+                const StreamPointOutcome outcome = leaf_at(from.source, cell);
+                ASSERT_EQ(outcome.point.status, Status::ok);
+                ASSERT_EQ(outcome.point.leaf.colour, expected.point.leaf.colour);
+                ASSERT_EQ(outcome.point.leaf.octant.corner, expected.point.leaf.octant.corner);
+                ASSERT_EQ(outcome.point.leaf.octant.level, expected.point.leaf.octant.level);
+                ASSERT_EQ(outcome.offset, expected.offset);
+                ASSERT_LE(outcome.point.visited, expected.point.visited);
+                ASSERT_LE(outcome.point.visited, 1U + 8U * static_cast<unsigned>(depth));
+            }
         }
     }
 }

@@ -17,16 +17,28 @@ inline Source source_of(const Bytes& bytes, bool checked = false) {
     return source;
 }
 
+/// What is known of a stream before it is read.
+enum class Known { nothing, checked, indexed };
+constexpr Known all_known[] = {Known::nothing, Known::checked, Known::indexed};
+
+/// The index of a stream. Precondition: it is one.
+inline Bytes index_of(const Bytes& bytes) {
+    Bytes index(subtree_index_size((bytes.size() - stream_header_size - stream_trailer_size) / 2));
+    EXPECT_EQ(check_stream(source_of(bytes), index.data(), index.size()).status, Status::ok);
+    return index;
+}
+
 struct TestSource {
     explicit TestSource(const Bytes& all) : bytes(all) {}
 
-    Source source() { return Source{read, this, bytes.size(), checked}; }
+    Source source() { return Source{read, this, bytes.size(), checked, index}; }
 
     const Bytes& bytes;
     std::size_t reads = 0;
     std::size_t fail_at = SIZE_MAX; ///< the number of reads that are answered
     std::uint64_t asked_at = 0;     ///< the offset last asked for
     bool checked = false;
+    const std::uint8_t* index = nullptr;
 
   private:
     static bool read(void* context, std::uint64_t offset, std::uint8_t* to, std::size_t count) {

@@ -42,9 +42,8 @@ class PreorderPath {
 
     Status take_buffered(const std::uint8_t* bytes, unsigned& at, unsigned limit, int floor,
                          std::uint32_t most);
-    Status take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
-                        std::uint32_t& to_come);
     Status ascend();
+    void leave();
     int level_above() const;
     bool may_open() const { return level_ < depth_ && nodes_left_ != 0; }
     bool may_end() const { return !alike_ && (nodes_left_ == 0 || level_above() != 0); }
@@ -53,6 +52,7 @@ class PreorderPath {
     void close();
     Octant taken(int level) const;
     std::uint64_t volume_before(int level) const;
+    std::uint32_t to_come(int level) const;
 
     std::uint32_t nodes_left_ = 0;
     std::uint8_t depth_ = 0;

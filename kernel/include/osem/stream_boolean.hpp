@@ -37,9 +37,9 @@ class StreamCombination {
 
     /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; below a grey octant
     /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
-    /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read or a write
-    /// of at most 64 bytes. Of a checked operand's grey octants up to 32 go by at once, so at times 31 more
-    /// than asked for.
+    /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read of at most
+    /// 64 bytes or a write of at most 64, or 512 where registers are wide. Of a checked operand's grey octants
+    /// up to 32 go by at once, so at times 31 more than asked for; of an indexed one's up to 50.
     bool step(std::uint32_t octants);
 
     /// Exact progress: each of two passes decides half of the root's volume (2^60 cells), a single one all of
@@ -71,6 +71,10 @@ class StreamCombination {
     bool visit_beside(bool may);
     void hold(std::uint32_t leaf);
     std::uint32_t beside(std::uint32_t codes) const;
+    inline void visit_checked();
+    void visit_beside_checked();
+    std::uint32_t step_checked(std::uint32_t most);
+    void end_checked();
     void begin_below();
     std::uint32_t pass(std::uint32_t most);
     void arrive();
@@ -93,7 +97,10 @@ class StreamCombination {
     Phase phase_ = Phase::idle;
     Held held_ = Held::none; ///< the operand that is at a leaf beside a grey octant, and stays there below it
     Way way_ = Way::each;    ///< both operands go on, or what is done below an octant beside a leaf
-    bool unary_ = false;     ///< there is no b: it is black throughout, and held for good
+    bool checked_ =
+        false; ///< both operands are: the builder's octants are theirs, and nothing else is followed
+    Colour colour_ = Colour::white; ///< of what is skipped
+    bool unary_ = false;            ///< there is no b: it is black throughout, and held for good
     std::uint8_t held_level_ = 0;
 };
 

@@ -56,6 +56,8 @@ class StreamBuilder {
     friend class StreamCombination;
     friend Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 
+    std::uint32_t behind_next() const;
+    std::uint64_t volume() const;
     bool put_canonical(std::uint32_t codes, unsigned count);
     void begin_copy();
     void copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes, bool inverted);
@@ -83,7 +85,7 @@ class StreamBuilder {
     bool taken_ = true;
     bool whole_ = false;
     std::uint8_t children_[max_depth] = {}; ///< complete children of each open octant
-    std::uint8_t buffer_[64] = {};
+    std::uint8_t buffer_[has_wide_registers ? 512 : 64] = {};
 };
 
 } // namespace osem

@@ -16,7 +16,8 @@
 namespace osem {
 
 /// Stands at an octant of a stream and goes on through its payload, reading 64 bytes at a time (fewer at the
-/// end), each byte once. All of its state is in the object, O(depth).
+/// end), each byte once; what is checked and lies in memory is looked at there. All of its state is in the
+/// object, O(depth).
 ///
 /// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
 /// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. Of a
@@ -51,7 +52,8 @@ class StreamCursor {
 
     /// Goes on behind the octant's subtree, whose form is checked on the way. Precondition: not done(). Cost:
     /// O(nodes of the subtree), those of eight leaves in one piece. Of a checked source the form is not
-    /// looked at, and up to 32 octants are one piece (16 where pointers have 32 bits).
+    /// looked at, and up to 32 octants are one piece (16 where pointers have 32 bits). Of an indexed source
+    /// two bytes of the index are read for each 64 of the subtree, and of the stream at most 128.
     void skip();
 
     /// Goes on as next(), but where leaf_children says so behind all eight children.
@@ -79,6 +81,20 @@ class StreamCursor {
         std::uint32_t nodes; ///< how many of them are grey
     };
 
+    /// What a look ahead may touch behind what is read.
+    static constexpr unsigned bytes_behind = sizeof(RegisterWord) + 1;
+
+    /// Where the codes that come next are: in a buffer, or in memory where the source's bytes lie.
+    struct Window {
+        Window() = default;
+        Window(const Window& other) { *this = other; }
+        Window& operator=(const Window& other);
+
+        /// What is left, what is read, and what a look ahead may touch.
+        std::uint8_t buffer[4 + 64 + bytes_behind] = {};
+        const std::uint8_t* bytes = buffer;
+    };
+
     /// What look says beside the codes of eight children: the octant is grey; it is a leaf, or all of its
     /// children are, of more than one colour; they are of one colour; it cannot be seen from here.
     static constexpr std::uint32_t grey_bit = 1U << 16;
@@ -86,18 +102,31 @@ class StreamCursor {
     static constexpr std::uint32_t alike_bit = 1U << 18;
     static constexpr std::uint32_t hidden_bit = 1U << 19;
 
+    /// Codes of a leaf, or of a grey octant and its children.
+    static constexpr unsigned codes_of(std::uint32_t next) { return 1 + ((next & grey_bit) >> 13); }
+
+    const std::uint8_t* bytes() const { return window_.bytes; }
+    bool is_in_place() const { return window_.bytes != window_.buffer; }
     void fail(Status status, std::uint64_t offset);
     Status read_header();
     bool load();
+    bool look_in_place();
     /// Sees to it that the codes of a look ahead, or all that are left, are in the buffer.
     [[gnu::always_inline]] bool is_ready() { return at_ < limit_ || load(); }
     void arrive();
     void pass_leaves();
     void step_back();
     inline std::uint32_t look() const;
+    inline std::uint32_t look_checked() const;
     inline void take(std::uint32_t next, bool known);
-    Passage pass(int floor, std::uint32_t most);
+    Passage pass(int floor, std::uint32_t most, bool read);
+    Passage pass_checked(std::uint32_t most);
+    /// Whether there is an index to go on by. Where codes are to be read they must be in memory.
+    bool may_jump(bool read) const { return source_.index != nullptr && (!read || is_in_place()); }
+    bool jump(std::uint32_t behind, std::uint32_t most, Passage& passage);
     void end();
+    void end_checked();
+    std::uint64_t code() const { return 4 * (loaded_ - filled_ - stream_header_size) + at_; }
     std::uint64_t byte_of(unsigned code) const { return loaded_ - filled_ + code / 4; }
 
     Source source_ = {};
@@ -114,8 +143,7 @@ class StreamCursor {
     Status status_ = Status::unfinished;
     std::uint8_t level_ = 0;
     bool done_ = true;
-    /// What is left, what is read, and what a look ahead may touch.
-    std::uint8_t buffer_[4 + 64 + sizeof(RegisterWord) + 1] = {};
+    Window window_;
 };
 
 // In line: calls would be a tenth of the instructions of a Boolean.

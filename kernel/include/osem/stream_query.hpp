@@ -13,13 +13,15 @@ namespace osem {
 
 /// Outcome of a point query in a stream.
 struct StreamPointOutcome {
-    PointOutcome point;   ///< as leaf_at on the tree, but `visited` are the octants and leaf groups read
+    /// As leaf_at on the tree, but `visited` are the octants and leaf groups read; of a checked source the
+    /// octants that hold the cell, and their children before.
+    PointOutcome point;
     std::uint64_t offset; ///< the byte of the leaf's code, or of the fault
 };
 
 /// The leaf that holds the cell [x, x + 1) x [y, y + 1) x [z, z + 1). Status: ok; point_off_root; the faults
 /// of StreamCursor up to the leaf (what lies behind it is not read, and the checksum is not compared). Cost:
-/// O(nodes before the leaf).
+/// O(nodes before the leaf); of an indexed source two bytes for 32 of them, and O(depth) nodes.
 StreamPointOutcome leaf_at(const Source& stream, const Point& cell);
 
 /// Outcome of measuring a stream.

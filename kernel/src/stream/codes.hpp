@@ -104,10 +104,9 @@ class CodeGroups {
     /// they do not. Precondition: to_come is in [1, 96]; of a tree's codes there are never more groups to
     /// come than octants open, 20.
     unsigned to_end(std::uint32_t to_come, unsigned ready) const {
-        Codes ends = ends_of(to_come);
+        const Codes ends = ends_of(to_come);
         if (ends == 0) return ready;
-        unsigned end = 1;
-        for (ends >>= 15; (ends & 1U) == 0; ends >>= 16) ++end;
+        const unsigned end = lowest_end(ends);
         return end < ready ? end : ready;
     }
 
@@ -120,6 +119,19 @@ class CodeGroups {
     }
 
   private:
+    // The number of the first group that has its sign set, from 1 on.
+    static unsigned lowest_end(Codes ends) {
+#if OSEM_COUNTS_ZEROS
+        const int zeros =
+            codes_size == 8 ? __builtin_ctzll(ends) : __builtin_ctz(static_cast<unsigned>(ends));
+        return static_cast<unsigned>(zeros) / 16 + 1;
+#else
+        unsigned end = 1;
+        for (ends >>= 15; (ends & 1U) == 0; ends >>= 16) ++end;
+        return end;
+#endif
+    }
+
     static constexpr auto ones = static_cast<Codes>(0x0001000100010001U);
 
     // What is to come behind each group, less one, in its upper byte: of that the sign.

@@ -51,6 +51,13 @@ Status PreorderPath::ascend() {
     return Status::ok;
 }
 
+// Leaves the octant that was entered last, of which all is known to be well formed.
+void PreorderPath::leave() {
+    --level_;
+    alike_ = false;
+    static_cast<void>(ascend());
+}
+
 // The level of what is next behind the innermost open octant; 0 behind the root.
 int PreorderPath::level_above() const {
     int level = level_ - 1;
@@ -140,50 +147,6 @@ Status PreorderPath::take_buffered(const std::uint8_t* bytes, unsigned& at, unsi
     return level == depth ? Status::stream_too_deep : Status::stream_count_mismatch;
 }
 
-// The same below the octant just entered, where all is known to be well formed. Then it is enough to follow
-// how many codes are to come, whatever their levels: eight, and eight more for each grey one. So behind every
-// eight codes from there on a multiple of eight is to come, and it can be none only there. Groups of eight
-// are taken side by side, so at times there are more nodes than `most`. `to_come` counts groups, and is 0 at
-// first and in the end.
-Status PreorderPath::take_checked(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
-                                  std::uint32_t& to_come) {
-    // In a turn that takes all groups there are so many bytes more in the buffer than behind each code.
-    constexpr std::ptrdiff_t more = (8 * CodeGroups::count - codes_ahead) / 4;
-    const unsigned in_byte = at % 4; // the place of each group's first code
-    const std::uint8_t* const begin = bytes + at / 4;
-    const std::uint8_t* const end = bytes + (limit - in_byte + 3) / 4;
-    const std::uint8_t* from = begin;
-    std::uint32_t nodes = 0;
-    std::uint32_t coming = to_come == 0 ? 1 : to_come;
-    if constexpr (wide) { // nearly every turn takes all groups, so those that do have a loop to themselves
-        while (end - from > more && nodes < most) {
-            const CodeGroups groups(all_codes_at(from, 2 * in_byte));
-            if (groups.any_ends(coming)) break;
-            const unsigned greys = groups.greys(CodeGroups::count);
-            from += codes_size;
-            nodes += greys;
-            coming += greys - CodeGroups::count;
-        }
-    }
-    bool goes_on = from == begin || (nodes < most && from < end);
-    // unreachable: that it goes on where the loop above has left less than two turns take.
-    for (; goes_on; goes_on = coming != 0 && nodes < most && from < end) {
-        const CodeGroups groups(all_codes_at(from, 2 * in_byte));
-        const unsigned taken = groups.to_end(coming, end - from > more ? CodeGroups::count : codes_ahead / 8);
-        const unsigned greys = groups.greys(taken);
-        from += std::size_t{2} * taken;
-        nodes += greys;
-        coming += greys - taken;
-    }
-    at = 4 * static_cast<unsigned>(from - bytes) + in_byte;
-    to_come = coming;
-    nodes_left_ -= nodes;
-    if (to_come != 0) return Status::ok;
-    --level_;
-    alike_ = false;
-    return ascend();
-}
-
 // The octant of a level whose code is the last one taken of that level.
 Octant PreorderPath::taken(int level) const {
     Octant octant = root_octant;
@@ -196,6 +159,13 @@ std::uint64_t PreorderPath::volume_before(int level) const {
     std::uint64_t cells = 0;
     for (int i = 1; i <= level; ++i) cells += (std::uint64_t{7} - left_[i]) * volume_at(i);
     return cells;
+}
+
+// The children to come of the octants open above a level, and of that.
+std::uint32_t PreorderPath::to_come(int level) const {
+    std::uint32_t sum = 0;
+    for (int i = 0; i <= level; ++i) sum += left_[i];
+    return sum;
 }
 
 } // namespace osem

@@ -37,7 +37,7 @@ constexpr std::uint32_t three_codes = 0b111111;
 inline std::uint32_t StreamCursor::look() const {
     const unsigned left = path_.left_[path_.level_];
     if (left == 0 || at_ >= limit_) return hidden_bit;
-    const auto codes = static_cast<std::uint32_t>(codes_at(buffer_, 2 * at_));
+    const auto codes = static_cast<std::uint32_t>(codes_at(bytes(), 2 * at_));
     if ((codes & 3U) != static_cast<unsigned>(Colour::grey)) {
         return left == 1 && !path_.may_end() ? hidden_bit : (codes & 3U) * 0x5555U | known_bit;
     }
@@ -45,6 +45,14 @@ inline std::uint32_t StreamCursor::look() const {
     const auto below = static_cast<std::uint16_t>(codes >> 2);
     if (!eight_leaves(grey_codes(below))) return below | grey_bit;
     return below | (eight_alike(below) ? grey_bit | alike_bit : grey_bit | known_bit);
+}
+
+// The same of a checked operand, which is in the buffer.
+inline std::uint32_t StreamCursor::look_checked() const {
+    const auto codes = static_cast<std::uint32_t>(codes_at(bytes(), 2 * at_));
+    if ((codes & 3U) != static_cast<unsigned>(Colour::grey)) return (codes & 3U) * 0x5555U | known_bit;
+    const auto below = static_cast<std::uint16_t>(codes >> 2);
+    return below | (eight_leaves(grey_codes(below)) ? grey_bit | known_bit : grey_bit);
 }
 
 bool StreamCombination::check(const StreamCursor& cursor, unsigned operand) {
@@ -67,6 +75,7 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
     unary_ = b == nullptr;
     if (!unary_) source_b_ = *b;
     sink_ = sink;
+    checked_ = !unary_ && a.checked && b->checked;
     decided_ = 0;
     outcome_ = StreamCombinationOutcome{Status::unfinished, 0, 0, {}};
     phase_ = Phase::counting;
@@ -98,7 +107,7 @@ void StreamCombination::fail(Status status, std::uint8_t operand, std::uint64_t 
 
 // The cells before the octant that was arrived at last, or behind what has gone by of one.
 std::uint64_t StreamCombination::cells_before_fault() const {
-    if (!in_progress()) return decided_;
+    if (!in_progress() || checked_) return decided_cells();
     const StreamCursor& cursor = walker();
     if (cursor.done() && cursor.path_.whole()) return decided_ + root_volume; // what is behind is wrong
     const bool one_by_one = way_ == Way::each || way_ == Way::beside;
@@ -107,7 +116,10 @@ std::uint64_t StreamCombination::cells_before_fault() const {
 
 bool StreamCombination::step(std::uint32_t octants) {
     while (in_progress()) {
-        if (way_ != Way::each && way_ != Way::beside) {
+        if (checked_) {
+            if (octants == 0) return true;
+            octants -= step_checked(octants);
+        } else if (way_ != Way::each && way_ != Way::beside) {
             if (octants == 0) return true;
             octants -= pass(octants);
         } else if (!(way_ == Way::each ? visit(octants != 0) : visit_beside(octants != 0))) {
@@ -143,6 +155,71 @@ bool StreamCombination::step(std::uint32_t octants) {
         begin_below();
     }
     return true;
+}
+
+// The same where nothing can be wrong in either operand: a step.
+std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
+    std::uint32_t steps = 1;
+    if (way_ == Way::each) {
+        visit_checked();
+    } else if (way_ == Way::beside) {
+        visit_beside_checked();
+    } else {
+        steps = pass(most);
+    }
+    if (!in_progress()) return steps;
+    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
+    if (builder_.whole()) end_checked();
+    return steps;
+}
+
+[[gnu::always_inline]] inline void StreamCombination::visit_checked() {
+    if (!a_.is_ready() || !b_.is_ready()) {
+        if (check(a_, 0)) check(b_, 1);
+        return;
+    }
+    const std::uint32_t next_a = a_.look_checked();
+    const std::uint32_t next_b = b_.look_checked();
+    if ((next_a & next_b & StreamCursor::known_bit) != 0) {
+        a_.at_ += StreamCursor::codes_of(next_a);
+        b_.at_ += StreamCursor::codes_of(next_b);
+        return builder_.leaves(low_bits(connected(op_, next_a, next_b)));
+    }
+    ++a_.at_;
+    ++b_.at_;
+    const bool grey_a = (next_a & StreamCursor::grey_bit) != 0;
+    if (grey_a && (next_b & StreamCursor::grey_bit) != 0) return builder_.open();
+    held_ = grey_a ? Held::b : Held::a;
+    (grey_a ? b_ : a_).colour_ = static_cast<Colour>((grey_a ? next_b : next_a) & 3U);
+    held_level_ = static_cast<std::uint8_t>(builder_.level());
+    begin_below();
+}
+
+void StreamCombination::visit_beside_checked() {
+    StreamCursor& cursor = held_ == Held::a ? b_ : a_;
+    if (!cursor.is_ready()) {
+        check(cursor, held_ == Held::a ? 1 : 0);
+        return;
+    }
+    const std::uint32_t next = cursor.look_checked();
+    if ((next & StreamCursor::known_bit) != 0) {
+        cursor.at_ += StreamCursor::codes_of(next);
+        builder_.leaves(low_bits(beside(next)));
+        if (builder_.level() <= held_level_) way_ = Way::each;
+    } else {
+        ++cursor.at_;
+        begin_below();
+    }
+}
+
+// Behind the last octants.
+void StreamCombination::end_checked() {
+    a_.end_checked();
+    if (!check(a_, 0)) return;
+    b_.end_checked();
+    if (!check(b_, 1)) return;
+    end_pass();
+    if (in_progress()) step_back();
 }
 
 // The held operand stays at this leaf while the other one walks below it.
@@ -184,7 +261,7 @@ void StreamCombination::begin_below() {
         builder_.begin_copy();
     } else if (colours == (colours & 3U) * 0b010101U) {
         way_ = Way::skipped;
-        builder_.leaf(static_cast<Colour>(colours & 3U));
+        colour_ = static_cast<Colour>(colours & 3U);
     } else {
         way_ = Way::beside;
         builder_.open();
@@ -195,18 +272,26 @@ void StreamCombination::begin_below() {
 // nodes passed.
 std::uint32_t StreamCombination::pass(std::uint32_t most) {
     StreamCursor& walker = held_ == Held::a ? b_ : a_;
-    const StreamCursor::Passage passage = walker.pass(held_level_, most);
+    const bool read = way_ != Way::skipped && builder_.writing_;
+    StreamCursor::Passage passage;
+    if (!checked_) {
+        passage = walker.pass(held_level_, most, read);
+    } else { // most subtrees end before an index need be looked at
+        const bool jumps = walker.to_come_ != 0 && walker.may_jump(read);
+        if (!jumps || !walker.jump(builder_.behind_next(), most, passage))
+            passage = walker.pass_checked(most);
+    }
     if (!check(walker, held_ == Held::a ? 1 : 0)) return 0;
     if (way_ != Way::skipped) {
         builder_.copy(passage.bytes, passage.at, passage.codes, passage.nodes, way_ == Way::inverted);
     }
-    const bool over = walker.path_.level() <= held_level_;
+    const bool over = checked_ ? walker.to_come_ == 0 : walker.path_.level() <= held_level_;
     if (over) {
-        if (way_ != Way::skipped) builder_.end_child();
-        way_ = Way::each;
+        way_ == Way::skipped ? builder_.leaf(colour_) : builder_.end_child();
+        way_ = checked_ && builder_.level() > held_level_ ? Way::beside : Way::each;
     }
     if (!builder_.taken()) {
-        if (over) advance();
+        if (over && !checked_) advance();
         fail(Status::sink_refused, 0, 0);
     }
     return passage.nodes < most ? passage.nodes : most;
@@ -246,6 +331,7 @@ void StreamCombination::step_back() {
 // The cells before what is next, in this pass and the one before.
 std::uint64_t StreamCombination::decided_cells() const {
     if (!in_progress()) return decided_;
+    if (checked_) return decided_ + builder_.volume();
     const PreorderPath& path = walker().path_;
     const int level = path.level();
     return decided_ + (level == 0 ? 0 : path.volume_before(level) + volume_at(level));

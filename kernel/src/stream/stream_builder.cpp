@@ -6,6 +6,24 @@
 
 namespace osem {
 
+namespace {
+
+// Words of codes from a bit of the first byte on, or those of the complement. All but the last one are found
+// in two words, of which many are shifted side by side; a byte is all that may be read behind the last one.
+void copy_words(const std::uint8_t* from, unsigned bit, unsigned count, bool inverted, std::uint8_t* to) {
+    const auto put_next = [&](Codes codes) {
+        put_word(to, inverted ? complemented(codes) : codes);
+        from += codes_size;
+        to += codes_size;
+    };
+    for (; count > 1; --count) {
+        put_next(codes_at(from, bit) | codes_at(from + codes_size, 0) << 1 << (codes_bits - 1 - bit));
+    }
+    put_next(all_codes_at(from, bit));
+}
+
+} // namespace
+
 void StreamBuilder::restart() {
     nodes_ = 0;
     bits_ = 0;
@@ -88,6 +106,22 @@ void StreamBuilder::close_full() {
     whole_ = level_ == 0;
 }
 
+// The children to come of the open octants, behind the next one: of each but those complete and the one that
+// is open or next.
+std::uint32_t StreamBuilder::behind_next() const {
+    std::uint32_t sum = 0;
+    for (int i = 0; i < level_; ++i) sum += 7U - children_[i];
+    return sum;
+}
+
+// The cells of what is complete.
+std::uint64_t StreamBuilder::volume() const {
+    if (whole_) return root_volume;
+    std::uint64_t cells = 0;
+    for (int i = 0; i < level_; ++i) cells += children_[i] * volume_at(i + 1);
+    return cells;
+}
+
 // The next octant is grey, and what is below it comes as the codes of a canonical tree.
 void StreamBuilder::begin_copy() {
     OSEM_ASSERT(!whole_ && level_ < max_depth);
@@ -96,25 +130,29 @@ void StreamBuilder::begin_copy() {
     put(static_cast<std::uint32_t>(Colour::grey), 1);
 }
 
-// `count` codes from number `at` on, `nodes` of them grey; or those of the complement.
+// `count` codes from number `at` on, `nodes` of them grey; or those of the complement. The word begun is
+// filled first: so all others are words of what is copied, whichever bit they begin at.
 void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes,
                          bool inverted) {
     nodes_ += nodes;
     if (!writing_) return;
-    const unsigned used = used_;
-    Codes bits = bits_; // in a register, while words are stored
-    const unsigned in_byte = 2 * (at % 4);
-    for (bytes += at / 4;; bytes += codes_size, count -= codes_count) {
-        Codes codes = all_codes_at(bytes, in_byte);
-        if (inverted) codes = complemented(codes);
-        if (count < codes_count) {
-            bits_ = bits;
-            return put(codes & ((Codes{1} << (2 * count)) - 1), count);
+    while (count != 0) {
+        if (used_ == 0 && count >= codes_count) {
+            const unsigned room = (static_cast<unsigned>(sizeof buffer_) - filled_) / codes_size;
+            const unsigned words = count / codes_count < room ? count / codes_count : room;
+            copy_words(bytes + at / 4, 2 * (at % 4), words, inverted, buffer_ + filled_);
+            filled_ += words * codes_size;
+            at += words * codes_count;
+            count -= words * codes_count;
+            if (filled_ == sizeof buffer_) write_buffer();
+            continue;
         }
-        put_word(buffer_ + filled_, bits | codes << used);
-        bits = codes >> 1 >> (codes_bits - 1 - used);
-        filled_ += codes_size;
-        if (filled_ == sizeof buffer_) write_buffer();
+        const unsigned begun = (codes_bits - used_) / 2; // codes that the word has room for
+        const unsigned some = count < begun ? count : begun;
+        const Codes codes = all_codes_at(bytes, 2 * at);
+        put((inverted ? complemented(codes) : codes) & ((Codes{1} << (2 * some)) - 1), some);
+        at += some;
+        count -= some;
     }
 }
 

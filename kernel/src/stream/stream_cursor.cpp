@@ -19,16 +19,6 @@ bool read_memory(void* context, std::uint64_t offset, std::uint8_t* bytes, std::
 
 constexpr unsigned read_size = 64;
 
-// Where codes need not be read to be passed: the one before which that is so, of those from byte `first` of
-// the stream on; else 0. A word and a byte may be looked at from each code passed, or the one behind.
-unsigned limit_in_memory(const Source& source, std::uint64_t first) {
-    constexpr std::uint64_t most = 4096; // bytes at once
-    constexpr unsigned least = codes_ahead / 4 + codes_size + 1;
-    if (!has_wide_registers || !source.checked || source.read != read_memory) return 0;
-    const std::uint64_t left = source.size - first;
-    return left < least ? 0 : 4 * (static_cast<unsigned>(left < most ? left : most) - least) + 1;
-}
-
 } // namespace
 
 Source memory_source(const std::uint8_t* bytes, std::size_t size) {
@@ -47,6 +37,12 @@ StreamCheckOutcome check_stream(const Source& source) {
     return outcome;
 }
 
+StreamCursor::Window& StreamCursor::Window::operator=(const Window& other) {
+    for (unsigned i = 0; i < sizeof buffer; ++i) buffer[i] = other.buffer[i];
+    bytes = other.bytes == other.buffer ? buffer : other.bytes;
+    return *this;
+}
+
 Status StreamCursor::begin(const Source& source) {
     source_ = source;
     header_ = StreamHeader{};
@@ -56,6 +52,7 @@ Status StreamCursor::begin(const Source& source) {
     at_ = 0;
     limit_ = 0;
     filled_ = 0;
+    window_.bytes = window_.buffer;
     to_come_ = 0;
     status_ = Status::ok;
     offset_ = 0;
@@ -75,13 +72,13 @@ Status StreamCursor::begin(const Source& source) {
 Status StreamCursor::read_header() {
     const auto there =
         static_cast<std::size_t>(source_.size < stream_header_size ? source_.size : stream_header_size);
-    if (there != 0 && !source_.read(source_.context, 0, buffer_, there)) return Status::source_failed;
+    if (there != 0 && !source_.read(source_.context, 0, window_.buffer, there)) return Status::source_failed;
     for (offset_ = 0; offset_ < there; ++offset_) {
         const auto at = static_cast<std::size_t>(offset_);
-        if (!begins_header(at, buffer_[at])) return Status::stream_not_osem;
+        if (!begins_header(at, window_.buffer[at])) return Status::stream_not_osem;
     }
     if (there < stream_header_size) return Status::stream_truncated;
-    const HeaderOutcome outcome = decode_header(buffer_);
+    const HeaderOutcome outcome = decode_header(window_.buffer);
     header_ = outcome.header;
     offset_ = outcome.offset;
     if (outcome.status != Status::ok) return outcome.status;
@@ -98,23 +95,42 @@ void StreamCursor::fail(Status status, std::uint64_t offset) {
     done_ = true;
 }
 
-// Reads on, keeping what is left in the buffer.
+// Reads on, keeping what is left; or looks at what lies in memory.
 bool StreamCursor::load() {
     const std::uint64_t end = source_.size - stream_trailer_size;
+    if (source_.checked && source_.read == read_memory && look_in_place()) return true;
+    const std::uint8_t* const from = bytes();
     unsigned kept = 0;
-    for (unsigned i = at_ / 4; i < filled_; ++i) buffer_[kept++] = buffer_[i];
+    for (unsigned i = at_ / 4; i < filled_; ++i) window_.buffer[kept++] = from[i];
+    window_.bytes = window_.buffer;
     const std::uint64_t left = end - loaded_;
     const unsigned count = left < read_size ? static_cast<unsigned>(left) : read_size;
     at_ %= 4;
     filled_ = kept;
-    if (!source_.read(source_.context, loaded_, buffer_ + kept, count)) {
+    if (!source_.read(source_.context, loaded_, window_.buffer + kept, count)) {
         fail(Status::source_failed, loaded_);
         return false;
     }
-    if (!source_.checked) checksum_.append(buffer_ + kept, count);
+    if (!source_.checked) checksum_.append(window_.buffer + kept, count);
     filled_ += count;
     loaded_ += count;
     limit_ = 4 * filled_ + 1 - (loaded_ == end ? 0 : codes_ahead);
+    return true;
+}
+
+// Where the source is memory its bytes take the place of the buffer, but for the last ones, behind which a
+// look ahead would touch what is not the source's. False where there are only such.
+bool StreamCursor::look_in_place() {
+    constexpr std::uint64_t most = 1U << 28;
+    const std::uint64_t first = loaded_ - filled_ + at_ / 4;
+    const std::uint64_t there = source_.size - first;
+    if (there < read_size + bytes_behind) return false;
+    const std::uint64_t count = there - bytes_behind;
+    window_.bytes = static_cast<const std::uint8_t*>(source_.context) + first;
+    filled_ = static_cast<unsigned>(count < most ? count : most);
+    loaded_ = first + filled_;
+    at_ %= 4;
+    limit_ = 4 * filled_ + 1 - codes_ahead;
     return true;
 }
 
@@ -122,7 +138,7 @@ bool StreamCursor::load() {
 // says have eight codes each in the payload, and more are refused.
 void StreamCursor::arrive() {
     if (!is_ready()) return;
-    colour_ = static_cast<Colour>(std::uint32_t{buffer_[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
+    colour_ = static_cast<Colour>(std::uint32_t{bytes()[at_ / 4]} >> (2 * (at_ % 4)) & 3U);
     level_ = static_cast<std::uint8_t>(path_.level());
     ++at_;
     const Status status = path_.take(colour_);
@@ -137,13 +153,13 @@ void StreamCursor::step_back() {
     path_.level_ = level_;
     if (colour_ == Colour::grey) ++path_.nodes_left_;
     if (++path_.left_[level_] != 8) return;
-    const auto children = static_cast<std::uint16_t>(codes_at(buffer_, 2 * at_));
+    const auto children = static_cast<std::uint16_t>(codes_at(bytes(), 2 * at_));
     path_.look_ahead(children, is_one_leaf(children));
 }
 
 bool StreamCursor::leaf_children(std::uint16_t& codes) const {
     if (colour_ != Colour::grey) return false;
-    codes = static_cast<std::uint16_t>(codes_at(buffer_, 2 * at_));
+    codes = static_cast<std::uint16_t>(codes_at(bytes(), 2 * at_));
     return grey_codes(codes) == 0 && !is_one_leaf(codes);
 }
 
@@ -160,39 +176,38 @@ void StreamCursor::next_or_leaves() {
 }
 
 // Goes on below the octant of level `floor`, by what is in the buffer and at most `most` grey octants; by one
-// or to the end of that octant in any case. Precondition: it is open. What is checked and lies in memory is
-// passed there, if registers have 64 bits, and the buffer goes on behind it.
-StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most) {
-    Passage passage = {buffer_, 0, 0, 0};
-    if (!is_ready()) return passage;
-    passage.at = at_;
-    passage.nodes = path_.nodes_left_;
-    unsigned limit = limit_;
-    const unsigned limit_there = limit_in_memory(source_, loaded_ - filled_);
-    const bool in_memory = limit_there > limit_;
-    if (in_memory) {
-        passage.bytes = static_cast<const std::uint8_t*>(source_.context) + (loaded_ - filled_);
-        limit = limit_there;
+// or to the end of that octant in any case. Precondition: it is open. The codes that went by are only there
+// if they are to be read.
+StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most, bool read) {
+    Passage passage = {bytes(), at_, 0, 0};
+    if (source_.checked) {
+        const bool jumped = may_jump(read) && jump(path_.to_come(floor), most, passage);
+        if (!jumped) passage = pass_checked(most);
+        path_.nodes_left_ -= passage.nodes;
+        if (!done_ && to_come_ == 0) path_.leave();
+        return passage;
     }
-    const Status status = source_.checked ? path_.take_checked(passage.bytes, at_, limit, most, to_come_)
-                                          : path_.take_buffered(buffer_, at_, limit, floor, most);
+    if (!is_ready()) return passage;
+    passage = {bytes(), at_, 0, path_.nodes_left_};
+    const Status status = path_.take_buffered(passage.bytes, at_, limit_, floor, most);
     if (status != Status::ok) fail(status, byte_of(at_ - 1));
     passage.codes = at_ - passage.at;
     passage.nodes -= path_.nodes_left_;
-    if (in_memory && at_ >= limit_) {
-        const unsigned behind = at_ / 4 > filled_ ? at_ / 4 - filled_ : 0;
-        loaded_ += behind;
-        filled_ += behind;
-        load();
-    }
     return passage;
 }
 
 void StreamCursor::skip() {
     if (colour_ == Colour::grey) {
-        while (!done_ && path_.level() > level_) pass(level_, UINT32_MAX);
+        while (!done_ && path_.level() > level_) pass(level_, UINT32_MAX, false);
     }
     if (!done_) next();
+}
+
+// The same where the path has not been followed, as nothing can be wrong.
+void StreamCursor::end_checked() {
+    path_.begin(1, 0);
+    path_.left_[0] = 0;
+    end();
 }
 
 // Behind the last octant: the bits that are left (8n + 1 codes end with the first of a byte), and the
@@ -200,7 +215,7 @@ void StreamCursor::skip() {
 void StreamCursor::end() {
     // A walk that looks ahead leaves it to this place.
     if (path_.nodes_left_ != 0) return fail(Status::stream_count_mismatch, byte_of(at_ - 1));
-    if ((buffer_[at_ / 4] >> 2) != 0) return fail(Status::stream_payload_damaged, byte_of(at_));
+    if ((bytes()[at_ / 4] >> 2) != 0) return fail(Status::stream_payload_damaged, byte_of(at_));
     std::uint8_t bytes[stream_trailer_size];
     if (!source_.read(source_.context, loaded_, bytes, sizeof bytes)) {
         return fail(Status::source_failed, loaded_);

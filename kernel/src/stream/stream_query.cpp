@@ -37,7 +37,7 @@ StreamPointOutcome leaf_at(const Source& stream, const Point& cell) {
             break;
         }
         if (holds) before = child_at(cell, ++level);
-        holds ? cursor.next() : cursor.next_or_leaves();
+        holds ? cursor.next() : stream.checked ? cursor.skip() : cursor.next_or_leaves();
     }
     outcome.point.status = cursor.status();
     outcome.offset = cursor.offset();

@@ -1,0 +1,98 @@
+// Subtrees of checked streams, which go by as a whole: nothing is known of the octants below, and nothing
+// need be.
+#include "osem/stream_cursor.hpp"
+#include "stream/codes.hpp"
+#include "stream/subtree_index.hpp"
+
+namespace osem {
+
+namespace {
+
+// Codes of a subtree that are looked at before an index is: most subtrees end before.
+constexpr unsigned before_jump = IndexedBlock::codes;
+
+// It is enough to follow how many codes are to come, whatever their levels: eight, and eight more for each
+// grey one. So behind every eight codes from the first one on a multiple of eight is to come, and it can be
+// none only there. Groups of eight are taken side by side, so at times there are more nodes than `most`.
+// `to_come` counts groups, and is 0 at first and in the end. Returns how many of the codes are grey.
+std::uint32_t take_groups(const std::uint8_t* bytes, unsigned& at, unsigned limit, std::uint32_t most,
+                          std::uint32_t& to_come) {
+    // In a turn that takes all groups there are so many bytes more in the buffer than behind each code.
+    constexpr std::ptrdiff_t more = (8 * CodeGroups::count - codes_ahead) / 4;
+    const unsigned in_byte = at % 4; // the place of each group's first code
+    const std::uint8_t* const begin = bytes + at / 4;
+    const std::uint8_t* const end = bytes + (limit - in_byte + 3) / 4;
+    const std::uint8_t* from = begin;
+    std::uint32_t nodes = 0;
+    std::uint32_t coming = to_come == 0 ? 1 : to_come;
+    const auto take = [&](const CodeGroups& groups, unsigned taken) {
+        const unsigned greys = groups.greys(taken);
+        from += std::size_t{2} * taken;
+        nodes += greys;
+        coming += greys - taken;
+    };
+    if constexpr (has_wide_registers) { // nearly every turn takes all groups: those have a loop to themselves
+        while (end - from > more && nodes < most && coming != 0) {
+            const CodeGroups groups(all_codes_at(from, 2 * in_byte));
+            groups.any_ends(coming) ? take(groups, groups.to_end(coming, CodeGroups::count))
+                                    : take(groups, CodeGroups::count);
+        }
+    }
+    bool goes_on = from == begin || (coming != 0 && nodes < most && from < end);
+    // unreachable: that it goes on where the loop above has left less than two turns take.
+    for (; goes_on; goes_on = coming != 0 && nodes < most && from < end) {
+        const CodeGroups groups(all_codes_at(from, 2 * in_byte));
+        take(groups, groups.to_end(coming, end - from > more ? CodeGroups::count : codes_ahead / 8));
+    }
+    at = 4 * static_cast<unsigned>(from - bytes) + in_byte;
+    to_come = coming;
+    return nodes;
+}
+
+} // namespace
+
+// Goes on below a grey octant whose children come next, or where the last call has left it, by what is in the
+// buffer and at most `most` grey octants; by one or to the end of that octant in any case.
+StreamCursor::Passage StreamCursor::pass_checked(std::uint32_t most) {
+    const bool ready = is_ready();
+    Passage passage = {bytes(), at_, 0, 0};
+    if (!ready) return passage;
+    const bool is_first = source_.index != nullptr && to_come_ == 0;
+    const unsigned limit = is_first && limit_ - at_ > before_jump ? at_ + before_jump : limit_;
+    passage.nodes = take_groups(passage.bytes, at_, limit, most, to_come_);
+    passage.codes = at_ - passage.at;
+    return passage;
+}
+
+// Goes on to the first block in which the subtree can end by the index: to the last group of eight codes that
+// begins before it, or with it. False where that is none. `behind` octants are to come behind the subtree. A
+// block has 32 grey codes, and up to 18 more where more is to come behind it than before.
+bool StreamCursor::jump(std::uint32_t behind, std::uint32_t most, Passage& passage) {
+    constexpr std::uint32_t most_blocks = 1U << 20;
+    const std::uint32_t blocks = most < 64 ? 1 : most / 32;
+    const std::uint64_t from = code();
+    std::uint64_t number = from / IndexedBlock::codes;
+    const std::uint64_t last = number + (blocks < most_blocks ? blocks : most_blocks);
+    while (number < last && indexed_block(source_.index, number).least > behind) ++number;
+    const std::uint64_t begin = number * IndexedBlock::codes;
+    if (begin < from + 8) return false;
+    const auto between = static_cast<unsigned>(begin - from) % 8; // codes
+    const std::uint64_t to = begin - between;
+    passage = {bytes(), at_, static_cast<unsigned>(to - from), 0};
+    at_ += passage.codes;
+    if (at_ >= limit_) { // what is left out is not read
+        loaded_ = stream_header_size + to / 4;
+        filled_ = 0;
+        at_ = static_cast<unsigned>(to % 4);
+        if (!load()) return true;
+    }
+    const Codes codes = codes_at(bytes(), 2 * at_) & ((Codes{1} << (2 * between)) - 1);
+    const std::uint32_t to_come =
+        indexed_block(source_.index, number).to_come + between - 8 * CodeGroups(codes).greys(1) - behind;
+    // Each code is one less to come, and a grey one eight more.
+    passage.nodes = passage.codes / 8 + to_come / 8 - (to_come_ == 0 ? 1 : to_come_);
+    to_come_ = to_come / 8;
+    return true;
+}
+
+} // namespace osem

@@ -1,0 +1,60 @@
+#include "stream/subtree_index.hpp"
+
+#include "osem/stream_cursor.hpp"
+#include "stream/codes.hpp"
+
+namespace osem {
+
+// A cursor reads the payload block by block, and the trailer behind it.
+bool IndexedReading::read(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count) {
+    auto& self = *static_cast<IndexedReading*>(context);
+    if (!self.source_.read(self.source_.context, offset, bytes, count)) return false;
+    if (offset < stream_header_size) return true;
+    const std::uint64_t end = self.source_.size - stream_trailer_size;
+    if (offset == end) return true;
+    const bool is_last = offset + count == end; // whose last byte holds one code
+    self.add_block(bytes, 4 * static_cast<unsigned>(count) - (is_last ? 3 : 0));
+    return true;
+}
+
+// Eight codes at a time, of which each grey one ends a row of leaves.
+void IndexedReading::add_block(const std::uint8_t* bytes, unsigned codes) {
+    std::uint32_t to_come = to_come_;
+    std::uint32_t least = to_come;
+    const auto take_leaves = [&](unsigned count) {
+        to_come -= count;
+        if (to_come < least) least = to_come;
+    };
+    *next_++ = static_cast<std::uint8_t>(to_come);
+    for (unsigned at = 0; at < codes; at += 8, bytes += 2) {
+        const unsigned count = codes - at < 8 ? codes - at : 8;
+        const unsigned eight = count <= 4 ? bytes[0] : bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
+        unsigned taken = 0;
+        for (auto greys = static_cast<unsigned>(grey_codes(eight & ((1U << (2 * count)) - 1U))); greys != 0;
+             greys &= greys - 1) {
+            const unsigned grey = lowest_bit(greys) / 2;
+            take_leaves(grey - taken);
+            to_come += 7;
+            taken = grey + 1;
+        }
+        take_leaves(count - taken);
+    }
+    *next_++ = static_cast<std::uint8_t>(least);
+    to_come_ = to_come;
+}
+
+StreamCheckOutcome check_stream(const Source& source, std::uint8_t* index, std::size_t size) {
+    const std::uint64_t fixed = stream_header_size + stream_trailer_size;
+    if (source.size > fixed && size < subtree_index_size((source.size - fixed) / 2)) {
+        return {Status::scratch_too_small, 0, source};
+    }
+    IndexedReading reading(source, index);
+    StreamCheckOutcome outcome = check_stream(reading.source());
+    const bool checked = outcome.source.checked;
+    outcome.source = source;
+    outcome.source.checked = checked;
+    outcome.source.index = checked ? index : nullptr;
+    return outcome;
+}
+
+} // namespace osem
