@@ -87,8 +87,10 @@ struct SinkJob {
 };
 void PrintTo(const SinkJob& job, std::ostream* out) { *out << job.name; }
 
-DenseGrid first_grid() { return random_grid(4, 31, three_colours); }
-DenseGrid second_grid() { return random_grid(4, 32, three_colours); }
+// Streams of these are written in several pieces, whatever their size.
+DenseGrid first_grid() { return random_grid(5, 31, three_colours); }
+DenseGrid second_grid() { return random_grid(5, 32, three_colours); }
+DenseGrid sliced_grid() { return random_grid(4, 31, three_colours); }
 
 // A tree with a pool of its own.
 struct OwnTree {
@@ -129,7 +131,7 @@ std::vector<SinkJob> stream_jobs(bool once) {
              const std::vector<Colour> colours = preorder_colours(preorder_masks(first_grid()));
              StreamBuilder builder;
              StreamHeader header = {};
-             header.depth = 4;
+             header.depth = 5;
              if (!once) {
                  builder.begin();
                  tell(builder, colours);
@@ -160,11 +162,11 @@ std::vector<SinkJob> stream_jobs(bool once) {
 }
 
 std::vector<SinkJob> slice_jobs() {
-    const auto own = std::make_shared<OwnTree>(first_grid());
+    const auto own = std::make_shared<OwnTree>(sliced_grid());
     std::vector<SinkJob> jobs;
     for (const Axis axis : {axis_x, axis_y, axis_z}) {
         const Slice slice = {axis, root_side / 2, 4};
-        const Rows rows = expected_rows(first_grid(), slice);
+        const Rows rows = expected_rows(sliced_grid(), slice);
         Bytes runs;
         Bytes bits;
         for (std::size_t row = 0; row < rows.size(); ++row) {

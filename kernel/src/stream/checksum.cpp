@@ -36,15 +36,15 @@ struct Places {
 // Puts out as many bytes as `Count` words have at a time, of `count` bytes.
 template <unsigned Count>
 [[gnu::always_inline]] inline void put_out(const std::uint8_t*& bytes, std::size_t& count, Places& places) {
-    constexpr std::size_t size = Count * codes_size;
+    constexpr std::size_t size = std::size_t{Count} * codes_size;
     for (; count >= size; count -= size) {
         Codes words[Count];
         for (unsigned i = 0; i < Count; ++i) {
-            const unsigned at = i * codes_size;
+            const std::size_t at = std::size_t{i} * codes_size;
             words[i] = codes_at(bytes + at, 0) ^ codes_at(places.oldest + at, 0);
             for (const std::uint8_t* other : places.others) words[i] ^= codes_at(other + at, 0);
         }
-        for (unsigned i = 0; i < Count; ++i) put_word(places.oldest + i * codes_size, words[i]);
+        for (unsigned i = 0; i < Count; ++i) put_word(places.oldest + std::size_t{i} * codes_size, words[i]);
         bytes += size;
         places.oldest += size;
         for (const std::uint8_t*& other : places.others) other += size;

@@ -75,7 +75,7 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
     unary_ = b == nullptr;
     if (!unary_) source_b_ = *b;
     sink_ = sink;
-    checked_ = !unary_ && a.checked && b->checked;
+    checked_ = !unary_ && source_a_.checked && source_b_.checked;
     decided_ = 0;
     outcome_ = StreamCombinationOutcome{Status::unfinished, 0, 0, {}};
     phase_ = Phase::counting;
@@ -278,8 +278,9 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
         passage = walker.pass(held_level_, most, read);
     } else { // most subtrees end before an index need be looked at
         const bool jumps = walker.to_come_ != 0 && walker.may_jump(read);
-        if (!jumps || !walker.jump(builder_.behind_next(), most, passage))
+        if (!jumps || !walker.jump(builder_.behind_next(), most, passage)) {
             passage = walker.pass_checked(most);
+        }
     }
     if (!check(walker, held_ == Held::a ? 1 : 0)) return 0;
     if (way_ != Way::skipped) {

@@ -38,6 +38,7 @@ StreamCheckOutcome check_stream(const Source& source) {
 }
 
 StreamCursor::Window& StreamCursor::Window::operator=(const Window& other) {
+    if (this == &other) return *this;
     for (unsigned i = 0; i < sizeof buffer; ++i) buffer[i] = other.buffer[i];
     bytes = other.bytes == other.buffer ? buffer : other.bytes;
     return *this;

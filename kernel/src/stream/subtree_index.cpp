@@ -12,33 +12,32 @@ bool IndexedReading::read(void* context, std::uint64_t offset, std::uint8_t* byt
     if (offset < stream_header_size) return true;
     const std::uint64_t end = self.source_.size - stream_trailer_size;
     if (offset == end) return true;
-    const bool is_last = offset + count == end; // whose last byte holds one code
-    self.add_block(bytes, 4 * static_cast<unsigned>(count) - (is_last ? 3 : 0));
+    self.add_block(bytes, count);
     return true;
 }
 
-// Eight codes at a time, of which each grey one ends a row of leaves.
-void IndexedReading::add_block(const std::uint8_t* bytes, unsigned codes) {
+// Two bytes at a time, eight codes, of which each grey one ends a row of leaves. A byte by itself is the last
+// one, which holds one code: that of a leaf, if this is a stream.
+void IndexedReading::add_block(const std::uint8_t* bytes, std::size_t count) {
     std::uint32_t to_come = to_come_;
     std::uint32_t least = to_come;
-    const auto take_leaves = [&](unsigned count) {
-        to_come -= count;
+    const auto take_leaves = [&](unsigned leaves) {
+        to_come -= leaves;
         if (to_come < least) least = to_come;
     };
     *next_++ = static_cast<std::uint8_t>(to_come);
-    for (unsigned at = 0; at < codes; at += 8, bytes += 2) {
-        const unsigned count = codes - at < 8 ? codes - at : 8;
-        const unsigned eight = count <= 4 ? bytes[0] : bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
+    for (; count > 1; count -= 2, bytes += 2) {
+        auto greys = static_cast<unsigned>(grey_codes(bytes[0] | static_cast<unsigned>(bytes[1]) << 8));
         unsigned taken = 0;
-        for (auto greys = static_cast<unsigned>(grey_codes(eight & ((1U << (2 * count)) - 1U))); greys != 0;
-             greys &= greys - 1) {
+        for (; greys != 0; greys &= greys - 1) {
             const unsigned grey = lowest_bit(greys) / 2;
             take_leaves(grey - taken);
             to_come += 7;
             taken = grey + 1;
         }
-        take_leaves(count - taken);
+        take_leaves(8 - taken);
     }
+    if (count != 0) take_leaves(1);
     *next_++ = static_cast<std::uint8_t>(least);
     to_come_ = to_come;
 }

@@ -34,7 +34,7 @@ class IndexedReading {
 
   private:
     static bool read(void* context, std::uint64_t offset, std::uint8_t* bytes, std::size_t count);
-    void add_block(const std::uint8_t* bytes, unsigned codes);
+    void add_block(const std::uint8_t* bytes, std::size_t count);
 
     Source source_;
     std::uint8_t* next_;
