@@ -32,6 +32,7 @@ constexpr Scenario scenarios[] = {
     {"stream_bytes", stream_bytes},
     {"damaged_streams", damaged_streams},
     {"combined_streams", combined_streams},
+    {"indexed_streams", indexed_streams},
     {"expressions_conservative", expressions_conservative},
     {"expressions_centre", expressions_centre},
     {"expressions_of_damaged_streams", expressions_of_damaged_streams},

@@ -39,6 +39,7 @@ std::uint64_t compaction();
 std::uint64_t stream_bytes();
 std::uint64_t damaged_streams();
 std::uint64_t combined_streams();
+std::uint64_t indexed_streams();
 
 // csg.cpp
 std::uint64_t expressions_conservative();

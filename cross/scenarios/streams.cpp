@@ -152,4 +152,43 @@ std::uint64_t combined_streams() {
     return digest.value();
 }
 
+// The same, both streams checked and indexed before: the index, and what is found and made with it.
+std::uint64_t indexed_streams() {
+    Digest digest;
+    ConvertOptions options;
+    options.depth = 3;
+    TwoStreams& two = fresh<TwoStreams>();
+    write(converted(octahedron(), options).tree);
+    two.count = bytes.count;
+    for (std::size_t i = 0; i < two.count; ++i) two.first[i] = bytes.kept[i];
+    pool.roll_back(0);
+    options.depth = 2;
+    write(converted(plate(), options).tree);
+    std::uint8_t index_a[sizeof two.first / 32];
+    std::uint8_t index_b[sizeof bytes.kept / 32];
+    const StreamCheckOutcome a = check_stream(memory_source(two.first, two.count), index_a, sizeof index_a);
+    const StreamCheckOutcome b =
+        check_stream(memory_source(bytes.kept, bytes.count), index_b, sizeof index_b);
+    digest.add(a.status);
+    digest.add(b.status);
+    digest.add(check_stream(memory_source(two.first, two.count), index_a, 1).status);
+    const std::uint64_t size = subtree_index_size(a.source.size / 2 - 26);
+    for (std::uint64_t i = 0; i < size; ++i) digest.add_byte(index_a[i]);
+    add_answers(digest, a.source);
+    const auto combined = [&two](const Source& first, const Source& second) {
+        Digest results;
+        const Sink sink = {take_digest, &results};
+        for (int op = 0; op < 4; ++op) {
+            add(results, combine(two.job, static_cast<Operator>(op), first, second, sink));
+        }
+        add(results, complement(two.job, first, sink));
+        return results.value();
+    };
+    const std::uint64_t expected =
+        combined(memory_source(two.first, two.count), memory_source(bytes.kept, bytes.count));
+    digest.add(std::uint64_t{combined(a.source, b.source) == expected});
+    digest.add(expected);
+    return digest.value();
+}
+
 } // namespace osem::cross
