@@ -160,6 +160,34 @@ TEST(StreamSubtree, ALargeTreeBesideALeaf) {
     }
 }
 
+// An index leads to the last block, which may begin with the payload's last byte: what is copied before it is
+// looked at beyond its last code, but not beyond the stream. The result lies at other bits than the operand.
+TEST(StreamSubtree, AnIndexLeadsNoFurtherThanTheStream) {
+    std::mt19937 random(16);
+    StreamCombination job;
+    std::size_t full = 0;
+    for (int round = 0; round < 400 || full < 20; ++round) {
+        const Part part = grey_part(4 + round % 2, 5, two_colours, random);
+        const Bytes bytes = Sample{part, 5}.bytes();
+        if (part.children.empty()) continue;
+        const std::size_t payload = bytes.size() - stream_header_size - stream_trailer_size;
+        full += payload % 64 == 1 && payload > 200 ? 1U : 0U;
+        for (std::size_t removed = 0; removed < 8; ++removed) {
+            std::vector<Part> children(8, Part{Colour::white, {}});
+            children[removed].colour = Colour::black;
+            const Part beside = {Colour::grey, children};
+            const Bytes expected = Sample{combined(Operator::unite, part, beside), 5}.bytes();
+            const Place from(bytes, Known::indexed, false);
+            const Bytes beside_bytes = Sample{beside, 1}.bytes();
+            const Place other(beside_bytes, Known::checked, false);
+            Bytes result;
+            ASSERT_EQ(combine(job, Operator::unite, from.source, other.source, Sink{append, &result}).status,
+                      Status::ok);
+            ASSERT_EQ(result, expected) << round;
+        }
+    }
+}
+
 TEST(StreamSubtree, EveryLeafBesideATree) {
     StreamCombination job;
     for (std::uint32_t seed = 0; seed < 100; ++seed) {

@@ -17,7 +17,7 @@
 #endif
 
 // 1: the checksums of streams by tables of 8 KB, eight bytes at a time; 0: by a table of 64 bytes. With wide
-// registers (register_word.hpp) payloads need no table: then only headers are read by it, and 1 gains
+// registers (register_word.hpp) it is asked for headers and the last bytes of payloads alone, and 1 gains
 // nothing.
 #ifndef OSEM_FAST_CRC
 #define OSEM_FAST_CRC 0

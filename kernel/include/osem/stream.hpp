@@ -77,8 +77,8 @@ struct Source {
     /// compared, and subtrees that go by as a whole are not looked at octant by octant. What a check would
     /// refuse is undefined behaviour here.
     bool checked = false;
-    /// With a checked source: an index of its subtrees, from check_stream; null if there is none. Then a
-    /// subtree that goes by as a whole is not even read.
+    /// With a checked source: an index of its subtrees, from check_stream; null if there is none. Then most
+    /// of a large subtree that goes by as a whole is not even read, unless it is copied.
     const std::uint8_t* index = nullptr;
 };
 

@@ -59,7 +59,7 @@ class StreamCombination {
 
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
-    void begin_writing();
+    void begin_writing(std::uint64_t nodes);
     void end_pass();
     bool in_one_pass() const { return sink_.replace != nullptr; }
     bool is_unchanged();

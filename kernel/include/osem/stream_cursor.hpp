@@ -16,7 +16,8 @@
 namespace osem {
 
 /// Stands at an octant of a stream and goes on through its payload, reading 64 bytes at a time (fewer at the
-/// end), each byte once; what is checked and lies in memory is looked at there. All of its state is in the
+/// end), each byte once; what is checked and lies in memory is looked at there, and of what an index leads past
+/// nothing is read, or some bytes again. All of its state is in the
 /// object, O(depth).
 ///
 /// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
@@ -53,7 +54,7 @@ class StreamCursor {
     /// Goes on behind the octant's subtree, whose form is checked on the way. Precondition: not done(). Cost:
     /// O(nodes of the subtree), those of eight leaves in one piece. Of a checked source the form is not
     /// looked at, and up to 32 octants are one piece (16 where pointers have 32 bits). Of an indexed source
-    /// two bytes of the index are read for each 64 of the subtree, and of the stream at most 128.
+    /// two bytes of the index are read for each 64 of the subtree, and of the stream at most 192.
     void skip();
 
     /// Goes on as next(), but where leaf_children says so behind all eight children.
@@ -67,13 +68,13 @@ class StreamCursor {
     std::uint64_t offset() const { return done_ ? offset_ : byte_of(at_ - 1); }
 
     /// The checksum of the payload read so far; of a walk to the end it is the stream's own. Of a checked
-    /// source it is 0 until then. Cost: O(1), but with wide registers some hundred instructions.
+    /// source it is 0 until then. Cost: O(1), but with wide registers some thousand instructions.
     std::uint32_t checksum() const { return checksum_.value(); }
 
   private:
     friend class StreamCombination;
 
-    /// Codes that went by, still in the buffer.
+    /// Codes that went by; where they may be read they are still in the buffer or in memory.
     struct Passage {
         const std::uint8_t* bytes;
         unsigned at;         ///< the first code

@@ -74,6 +74,9 @@ bool StreamCursor::jump(std::uint32_t behind, std::uint32_t most, Passage& passa
     std::uint64_t number = from / IndexedBlock::codes;
     const std::uint64_t last = number + (blocks < most_blocks ? blocks : most_blocks);
     while (number < last && indexed_block(source_.index, number).least > behind) ++number;
+    // What is copied may be looked at a word and a byte behind each code.
+    if (number > 0 && stream_header_size + number * IndexedBlock::bytes + bytes_behind > source_.size)
+        --number;
     const std::uint64_t begin = number * IndexedBlock::codes;
     if (begin < from + 8) return false;
     const auto between = static_cast<unsigned>(begin - from) % 8; // codes

@@ -80,7 +80,7 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
     outcome_ = StreamCombinationOutcome{Status::unfinished, 0, 0, {}};
     phase_ = Phase::counting;
     builder_.begin();
-    if (begin_pass() && in_one_pass()) begin_writing();
+    if (begin_pass() && in_one_pass()) begin_writing(0);
     if (in_progress()) step_back();
     return phase_ == Phase::done ? outcome_.status : Status::ok;
 }
@@ -110,7 +110,9 @@ std::uint64_t StreamCombination::cells_before_fault() const {
     if (!in_progress() || checked_) return decided_cells();
     const StreamCursor& cursor = walker();
     if (cursor.done() && cursor.path_.whole()) return decided_ + root_volume; // what is behind is wrong
-    const bool one_by_one = way_ == Way::each || way_ == Way::beside;
+    // Without a read nothing has been arrived at.
+    const bool one_by_one =
+        (way_ == Way::each || way_ == Way::beside) && cursor.status() != Status::source_failed;
     return one_by_one ? decided_ + cursor.path_.volume_before(cursor.level()) : decided_cells();
 }
 
@@ -168,8 +170,11 @@ std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
         steps = pass(most);
     }
     if (!in_progress()) return steps;
-    if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
-    if (builder_.whole()) end_checked();
+    if (!builder_.taken()) {
+        fail(Status::sink_refused, 0, 0);
+    } else if (builder_.whole()) {
+        end_checked();
+    }
     return steps;
 }
 
@@ -339,11 +344,11 @@ std::uint64_t StreamCombination::decided_cells() const {
 }
 
 // The cursors are at the operands' beginning, and the nodes are counted, if they are to be.
-void StreamCombination::begin_writing() {
+void StreamCombination::begin_writing(std::uint64_t nodes) {
     StreamHeader& header = outcome_.header;
     header = a_.header();
     if (!unary_ && b_.header().depth > header.depth) header.depth = b_.header().depth;
-    header.nodes = static_cast<std::uint32_t>(builder_.nodes());
+    header.nodes = static_cast<std::uint32_t>(nodes);
     phase_ = Phase::writing;
     builder_.begin(header, sink_);
     if (!builder_.taken()) fail(Status::sink_refused, 0, 0);
@@ -362,7 +367,9 @@ void StreamCombination::end_pass() {
     if (builder_.nodes() > UINT32_MAX) return fail(Status::stream_count_mismatch, 0, 0);
     checksum_a_ = a_.checksum();
     checksum_b_ = b_.checksum();
-    if (begin_pass()) begin_writing();
+    const std::uint64_t nodes = builder_.nodes();
+    builder_.begin(); // as far as it is whole nothing of the next pass is decided
+    if (begin_pass()) begin_writing(nodes);
 }
 
 // Whether the second pass has read what the first one read, as far as checksums tell.

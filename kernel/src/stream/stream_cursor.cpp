@@ -222,8 +222,11 @@ void StreamCursor::end() {
         return fail(Status::source_failed, loaded_);
     }
     const auto checksum = get_number<std::uint32_t>(bytes);
-    if (source_.checked) checksum_ = Checksum(checksum);
-    if (checksum != checksum_.value()) return fail(Status::stream_payload_damaged, loaded_);
+    if (source_.checked) {
+        checksum_ = Checksum(checksum);
+    } else if (checksum != checksum_.value()) {
+        return fail(Status::stream_payload_damaged, loaded_);
+    }
     offset_ = source_.size;
     done_ = true;
 }
