@@ -16,9 +16,8 @@
 namespace osem {
 
 /// Stands at an octant of a stream and goes on through its payload, reading 64 bytes at a time (fewer at the
-/// end), each byte once; what is checked and lies in memory is looked at there, and of what an index leads past
-/// nothing is read, or some bytes again. All of its state is in the
-/// object, O(depth).
+/// end), each byte once; what is checked and lies in memory is looked at there, and of what an index leads
+/// past nothing is read, or some bytes again. All of its state is in the object, O(depth).
 ///
 /// Faults are found as the walk reaches them: the cursor is then done, and status() names the fault. What
 /// lies behind the cursor is well formed, but only a walk to the end has compared the checksum. Of a
@@ -93,7 +92,7 @@ class StreamCursor {
 
         /// What is left, what is read, and what a look ahead may touch.
         std::uint8_t buffer[4 + 64 + bytes_behind] = {};
-        const std::uint8_t* bytes = buffer;
+        const std::uint8_t* bytes = nullptr; ///< from begin on
     };
 
     /// What look says beside the codes of eight children: the octant is grey; it is a leaf, or all of its
@@ -127,7 +126,6 @@ class StreamCursor {
     bool jump(std::uint32_t behind, std::uint32_t most, Passage& passage);
     void end();
     void end_checked();
-    std::uint64_t code() const { return 4 * (loaded_ - filled_ - stream_header_size) + at_; }
     std::uint64_t byte_of(unsigned code) const { return loaded_ - filled_ + code / 4; }
 
     Source source_ = {};

@@ -70,23 +70,25 @@ StreamCursor::Passage StreamCursor::pass_checked(std::uint32_t most) {
 bool StreamCursor::jump(std::uint32_t behind, std::uint32_t most, Passage& passage) {
     constexpr std::uint32_t most_blocks = 1U << 20;
     const std::uint32_t blocks = most < 64 ? 1 : most / 32;
-    const std::uint64_t from = code();
-    std::uint64_t number = from / IndexedBlock::codes;
-    const std::uint64_t last = number + (blocks < most_blocks ? blocks : most_blocks);
+    // As many blocks as there can be are numbered by 27 bits.
+    const std::uint64_t place = byte_of(at_) - stream_header_size;
+    const auto first = static_cast<std::uint32_t>(place / IndexedBlock::bytes);
+    const std::uint32_t last = first + (blocks < most_blocks ? blocks : most_blocks);
+    std::uint32_t number = first;
     while (number < last && indexed_block(source_.index, number).least > behind) ++number;
     // What is copied may be looked at a word and a byte behind each code.
-    if (number > 0 && stream_header_size + number * IndexedBlock::bytes + bytes_behind > source_.size)
-        --number;
-    const std::uint64_t begin = number * IndexedBlock::codes;
-    if (begin < from + 8) return false;
-    const auto between = static_cast<unsigned>(begin - from) % 8; // codes
-    const std::uint64_t to = begin - between;
-    passage = {bytes(), at_, static_cast<unsigned>(to - from), 0};
+    const std::uint64_t begin = std::uint64_t{number} * IndexedBlock::bytes + stream_header_size;
+    if (number > first && begin + bytes_behind > source_.size) --number;
+    const unsigned passed = 4 * static_cast<unsigned>(place % IndexedBlock::bytes) + at_ % 4;
+    const unsigned codes_before = IndexedBlock::codes * (number - first);
+    if (codes_before < passed + 8) return false;
+    const unsigned between = (codes_before - passed) % 8;
+    passage = {bytes(), at_, codes_before - passed - between, 0};
     at_ += passage.codes;
     if (at_ >= limit_) { // what is left out is not read
-        loaded_ = stream_header_size + to / 4;
+        loaded_ = byte_of(at_);
         filled_ = 0;
-        at_ = static_cast<unsigned>(to % 4);
+        at_ %= 4;
         if (!load()) return true;
     }
     const Codes codes = codes_at(bytes(), 2 * at_) & ((Codes{1} << (2 * between)) - 1);

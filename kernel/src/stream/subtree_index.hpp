@@ -2,6 +2,7 @@
 #ifndef OSEM_STREAM_SUBTREE_INDEX_HPP
 #define OSEM_STREAM_SUBTREE_INDEX_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "osem/stream.hpp"
@@ -21,8 +22,9 @@ struct IndexedBlock {
 };
 
 /// The number of a block in an index.
-inline IndexedBlock indexed_block(const std::uint8_t* index, std::uint64_t number) {
-    return {index[2 * number], index[2 * number + 1]};
+inline IndexedBlock indexed_block(const std::uint8_t* index, std::uint32_t number) {
+    const std::size_t at = std::size_t{2} * number;
+    return {index[at], index[at + 1]};
 }
 
 /// A source that is read from the beginning to the end, whose blocks are indexed by the way. It is the
