@@ -43,7 +43,7 @@ class SparseChecksum {
     std::uint32_t value() const;
 
   private:
-    static constexpr unsigned reach = 515; ///< the last bytes to which one is added are so far behind it
+    static constexpr unsigned reach = 1123; ///< the last bytes to which one is added are so far behind it
 
     /// What the last bytes were when they were put out, the oldest one at `at_`, where the next one will be.
     /// At first those that put out what is known.

@@ -8,24 +8,24 @@ namespace osem {
 
 namespace {
 
-// The polynomial divides x^515 + x^234 + x^230 + x^171 + 1, and so the same with eight times the exponents,
-// which is its eighth power: a byte is put out, and the remainder stays, where those that come 281, 285, 344
-// and 515 bytes later are inverted by it. There are sparse multiples whose bytes come sooner; but parts that
-// look ahead wait for what has just been stored, where it is loaded in other pieces.
-static_assert((shifted_out(1, 515) ^ shifted_out(1, 234) ^ shifted_out(1, 230) ^ shifted_out(1, 171)) == 1,
+// The polynomial divides x^1123 + x^198 + x^64 + x^24 + 1, and so the same with eight times the exponents,
+// which is its eighth power: a byte is put out, and the remainder stays, where those that come 925, 1059,
+// 1099 and 1123 bytes later are inverted by it. There are sparse multiples whose bytes come sooner; but parts
+// that look ahead wait for what has just been stored, where it is loaded in other pieces.
+static_assert((shifted_out(1, 1123) ^ shifted_out(1, 198) ^ shifted_out(1, 64) ^ shifted_out(1, 24)) == 1,
               "it divides that");
-constexpr unsigned exponents[] = {171, 230, 234};
+constexpr unsigned exponents[] = {24, 64, 198};
 
-// A remainder as it was 515 bytes before.
+// A remainder as it was 1123 bytes before.
 constexpr std::uint32_t before_reach(std::uint32_t remainder) {
-    std::uint32_t before = 0x417d41abU; // what the highest bit was then, and after that the lower ones
+    std::uint32_t before = 0x286b5dd1U; // what the highest bit was then, and after that the lower ones
     std::uint32_t sum = 0;
     for (unsigned bit = 32; bit-- > 0; before = shifted_out(before, 1)) {
         sum ^= before & (0U - (remainder >> bit & 1U));
     }
     return sum;
 }
-static_assert(before_reach(shifted_out(0x12345679U, 8 * 515)) == 0x12345679U, "it is an inverse");
+static_assert(before_reach(shifted_out(0x12345679U, 8 * 1123)) == 0x12345679U, "it is an inverse");
 
 // Where bytes are put out, and those that are added to them.
 struct Places {
@@ -84,19 +84,17 @@ void SparseChecksum::append(const std::uint8_t* bytes, std::size_t count) {
 // The bytes that all those put out are still to be added to, as if there were no others; they are taken off
 // again.
 std::uint32_t SparseChecksum::value() const {
-    constexpr unsigned piece = 103;
+    constexpr unsigned piece = 64;
+    std::uint8_t ahead[piece];
     std::uint32_t crc = ~std::uint32_t{0};
-    for (unsigned first = 0; first < reach; first += piece) {
-        std::uint8_t ahead[piece];
-        for (unsigned i = 0; i < piece; ++i) {
-            const unsigned place = first + i;
-            unsigned sum = put_out_[(at_ + place) % reach];
-            for (const unsigned exponent : exponents) {
-                if (place + exponent < reach) sum ^= put_out_[(at_ + place + exponent) % reach];
-            }
-            ahead[i] = static_cast<std::uint8_t>(sum);
+    for (unsigned place = 0; place < reach; ++place) {
+        unsigned sum = put_out_[(at_ + place) % reach];
+        for (const unsigned exponent : exponents) {
+            if (place + exponent < reach) sum ^= put_out_[(at_ + place + exponent) % reach];
         }
-        crc = crc_append(crc, ahead, piece);
+        ahead[place % piece] = static_cast<std::uint8_t>(sum);
+        const bool full = place % piece == piece - 1 || place == reach - 1;
+        if (full) crc = crc_append(crc, ahead, place % piece + 1);
     }
     return ~before_reach(~crc);
 }
