@@ -38,8 +38,8 @@ class StreamCombination {
     /// Visits up to `octants` pairs of octants, nodes of eight leaves counting as one; below a grey octant
     /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
     /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read of at most
-    /// 64 bytes or a write of at most 64, or 512 where registers are wide. Of a checked operand's grey octants
-    /// up to 32 go by at once, so at times 31 more than asked for; of an indexed one's up to 50.
+    /// 64 bytes or a write of at most 64, or 512 where registers are wide. Of a checked operand's grey
+    /// octants up to 32 go by at once, so at times 31 more than asked for; of an indexed one's up to 50.
     bool step(std::uint32_t octants);
 
     /// Exact progress: each of two passes decides half of the root's volume (2^60 cells), a single one all of
