@@ -209,7 +209,6 @@ MUTATIONS = [
     ("stream/stream_builder.cpp", "sum += 7U - children_[i];", "sum += 8U - children_[i];", "open octants are to come"),
     ("stream/stream_builder.cpp", "if (whole_) return root_volume;", "", "the root's volume at the end"),
     ("stream/stream_builder.cpp", "codes_at(from + codes_size, 0) << 1 << (codes_bits - 1 - bit)", "codes_at(from + codes_size, 0) << (codes_bits - 1 - bit)", "the next word of what is copied"),
-    ("stream/stream_boolean.cpp", "builder_.level() > held_level_ ? Way::beside : Way::each", "false ? Way::beside : Way::each", "what is beside a held leaf ends with its first subtree"),
     ("stream/stream_query.cpp", "stream.checked ? cursor.skip() : ", "", "a checked stream is walked through"),
     ("stream/stream_cursor.cpp", "if (source_.checked) checksum_ = Checksum(checksum);", "",
      "checked streams have no checksum"),

@@ -455,6 +455,8 @@ TEST(StreamSubtree, SkippingLeadsBehindTheSubtree) {
             std::size_t behind = at + 1;
             while (!places[behind].done() && places[behind].level() > places[at].level()) ++behind;
             StreamCursor cursor = places[at];
+            const StreamCursor& itself = cursor;
+            cursor = itself;
             cursor.skip();
             ASSERT_EQ(cursor.done(), places[behind].done()) << at;
             ASSERT_EQ(cursor.status(), Status::ok) << at;
@@ -518,6 +520,23 @@ TEST(StreamSubtree, DamagedStreamsHaveNoIndex) {
         EXPECT_FALSE(outcome.source.checked);
         EXPECT_EQ(outcome.source.index, nullptr);
         EXPECT_EQ(outcome.source.size, size);
+    }
+}
+
+TEST(StreamSubtree, AReadThatFailsLeavesNoIndex) {
+    const Bytes bytes = sample_of(3).bytes();
+    Bytes index(bytes.size());
+    for (std::size_t at = 0;; ++at) {
+        TestSource source(bytes);
+        source.fail_at = at;
+        const StreamCheckOutcome outcome = check_stream(source.source(), index.data(), index.size());
+        if (outcome.status == Status::ok) {
+            EXPECT_GT(at, 2U);
+            break;
+        }
+        EXPECT_EQ(outcome.status, Status::source_failed);
+        EXPECT_EQ(outcome.offset, source.asked_at);
+        EXPECT_EQ(outcome.source.index, nullptr);
     }
 }
 

@@ -294,7 +294,7 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
     const bool over = checked_ ? walker.to_come_ == 0 : walker.path_.level() <= held_level_;
     if (over) {
         way_ == Way::skipped ? builder_.leaf(colour_) : builder_.end_child();
-        way_ = checked_ && builder_.level() > held_level_ ? Way::beside : Way::each;
+        way_ = Way::each;
     }
     if (!builder_.taken()) {
         if (over && !checked_) advance();
