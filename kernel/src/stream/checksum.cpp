@@ -85,12 +85,16 @@ void SparseChecksum::append(const std::uint8_t* bytes, std::size_t count) {
 // again.
 std::uint32_t SparseChecksum::value() const {
     constexpr unsigned piece = 64;
+    const auto put_out_at = [&](unsigned place) {
+        const unsigned at = at_ + place;
+        return put_out_[at < reach ? at : at - reach];
+    };
     std::uint8_t ahead[piece];
     std::uint32_t crc = ~std::uint32_t{0};
     for (unsigned place = 0; place < reach; ++place) {
-        unsigned sum = put_out_[(at_ + place) % reach];
+        unsigned sum = put_out_at(place);
         for (const unsigned exponent : exponents) {
-            if (place + exponent < reach) sum ^= put_out_[(at_ + place + exponent) % reach];
+            if (place + exponent < reach) sum ^= put_out_at(place + exponent);
         }
         ahead[place % piece] = static_cast<std::uint8_t>(sum);
         const bool full = place % piece == piece - 1 || place == reach - 1;
