@@ -23,7 +23,8 @@ constexpr Known all_known[] = {Known::nothing, Known::checked, Known::indexed};
 
 /// The index of a stream. Precondition: it is one.
 inline Bytes index_of(const Bytes& bytes) {
-    Bytes index(subtree_index_size((bytes.size() - stream_header_size - stream_trailer_size) / 2));
+    const std::size_t nodes = (bytes.size() - stream_header_size - stream_trailer_size) / 2;
+    Bytes index(static_cast<std::size_t>(subtree_index_size(nodes)));
     EXPECT_EQ(check_stream(source_of(bytes), index.data(), index.size()).status, Status::ok);
     return index;
 }
