@@ -123,11 +123,8 @@ void add_answers(Digest& digest, const Source& source) {
     digest.add(outcome.offset);
 }
 
-} // namespace
-
-// Two streams asked, compared and combined by every operator; then a byte of the second one changes.
-std::uint64_t combined_streams() {
-    Digest digest;
+// The first stream beside the job, the second one kept.
+TwoStreams& written_streams() {
     ConvertOptions options;
     options.depth = 3;
     TwoStreams& two = fresh<TwoStreams>();
@@ -137,6 +134,15 @@ std::uint64_t combined_streams() {
     pool.roll_back(0);
     options.depth = 2;
     write(converted(plate(), options).tree);
+    return two;
+}
+
+} // namespace
+
+// Two streams asked, compared and combined by every operator; then a byte of the second one changes.
+std::uint64_t combined_streams() {
+    Digest digest;
+    TwoStreams& two = written_streams();
     const Source a = memory_source(two.first, two.count);
     const Source b = memory_source(bytes.kept, bytes.count);
     const Sink sink = {take_digest, &digest};
@@ -155,15 +161,7 @@ std::uint64_t combined_streams() {
 // The same, both streams checked and indexed before: the index, and what is found and made with it.
 std::uint64_t indexed_streams() {
     Digest digest;
-    ConvertOptions options;
-    options.depth = 3;
-    TwoStreams& two = fresh<TwoStreams>();
-    write(converted(octahedron(), options).tree);
-    two.count = bytes.count;
-    for (std::size_t i = 0; i < two.count; ++i) two.first[i] = bytes.kept[i];
-    pool.roll_back(0);
-    options.depth = 2;
-    write(converted(plate(), options).tree);
+    TwoStreams& two = written_streams();
     std::uint8_t index_a[sizeof two.first / 32];
     std::uint8_t index_b[sizeof bytes.kept / 32];
     const StreamCheckOutcome a = check_stream(memory_source(two.first, two.count), index_a, sizeof index_a);

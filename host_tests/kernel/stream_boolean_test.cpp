@@ -411,7 +411,7 @@ TEST_P(StreamBooleanFaults, ASourceMayFailAtEveryRead) {
                 const StreamCombinationOutcome outcome =
                     GetParam().run(job, op, source_a, source_b, to, 1 + static_cast<std::uint32_t>(at % 9));
                 if (outcome.status == Status::ok) {
-                    EXPECT_GT(at, 6U);
+                    EXPECT_GT(at, GetParam().once ? 7U : 8U);
                     break;
                 }
                 EXPECT_EQ(outcome.status, Status::source_failed);
@@ -422,6 +422,28 @@ TEST_P(StreamBooleanFaults, ASourceMayFailAtEveryRead) {
     }
 }
 
+TEST(StreamBoolean, ProgressDoesNotFallWhereAFaultIsMet) {
+    const Bytes a = stream_of(random_grid(3, 31, three_colours));
+    StreamCombination job;
+    std::uint64_t furthest = 0;
+    for (std::size_t at = 0;; ++at) {
+        TestSource failing(a);
+        failing.fail_at = at;
+        TestSink to;
+        if (job.begin(Operator::unite, source_of(a), failing.source(), to.sink()) != Status::ok) continue;
+        std::uint64_t decided = job.decided_volume();
+        while (job.step(3)) {
+            EXPECT_GE(job.decided_volume(), decided);
+            decided = job.decided_volume();
+        }
+        EXPECT_GE(job.decided_volume(), decided) << "read " << at;
+        furthest = decided;
+        if (job.finish().status == Status::ok) break;
+    }
+    EXPECT_GT(furthest, root_volume / 2) << "no fault in the second pass";
+}
+
+// Every operand is read whole before anything is written, so a fault is found wherever it is.
 TEST(StreamBoolean, DamageInEitherOperandIsNamedBeforeAnythingIsWritten) {
     const Bytes good = stream_of(random_grid(3, 5, three_colours));
     const Bytes leaf = stream_of(DenseGrid(1, Colour::black)); // decides, and would leave the rest unread

@@ -205,7 +205,7 @@ void StreamCursor::skip() {
     if (!done_) next();
 }
 
-// The same where the path has not been followed, as nothing can be wrong.
+// Ends a walk whose path has not been followed, as nothing can be wrong.
 void StreamCursor::end_checked() {
     path_.begin(1, 0);
     path_.left_[0] = 0;
