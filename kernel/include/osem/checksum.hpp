@@ -45,9 +45,13 @@ class SparseChecksum {
   private:
     static constexpr unsigned reach = 1123; ///< the last bytes to which one is added are so far behind it
 
-    /// What the last bytes were when they were put out, the oldest one at `at_`, where the next one will be.
+    static constexpr unsigned room = 1024; ///< bytes that follow them before they are moved
+
+    void make_room();
+
+    /// What bytes were when they were put out, the last ones behind `at_`; behind those is room for the next.
     /// At first those that put out what is known.
-    std::uint8_t put_out_[reach];
+    std::uint8_t put_out_[reach + room];
     unsigned at_ = 0;
 };
 

@@ -27,27 +27,22 @@ constexpr std::uint32_t before_reach(std::uint32_t remainder) {
 }
 static_assert(before_reach(shifted_out(0x12345679U, 8 * 1123)) == 0x12345679U, "it is an inverse");
 
-// Where bytes are put out, and those that are added to them.
-struct Places {
-    std::uint8_t* oldest;
-    const std::uint8_t* others[3];
-};
-
-// Puts out as many bytes as `Count` words have at a time, of `count` bytes.
+// Puts out as many bytes as `Count` words have at a time, of `count` bytes. `to` is where the oldest ones are
+// that are added to them; what they become is stored `reach` behind it.
 template <unsigned Count>
-[[gnu::always_inline]] inline void put_out(const std::uint8_t*& bytes, std::size_t& count, Places& places) {
+[[gnu::always_inline]] inline void put_out(const std::uint8_t*& bytes, std::size_t& count, std::uint8_t*& to,
+                                           std::size_t reach) {
     constexpr std::size_t size = std::size_t{Count} * codes_size;
     for (; count >= size; count -= size) {
         Codes words[Count];
         for (unsigned i = 0; i < Count; ++i) {
             const std::size_t at = std::size_t{i} * codes_size;
-            words[i] = codes_at(bytes + at, 0) ^ codes_at(places.oldest + at, 0);
-            for (const std::uint8_t* other : places.others) words[i] ^= codes_at(other + at, 0);
+            words[i] = codes_at(bytes + at, 0) ^ codes_at(to + at, 0);
+            for (const unsigned exponent : exponents) words[i] ^= codes_at(to + exponent + at, 0);
         }
-        for (unsigned i = 0; i < Count; ++i) put_word(places.oldest + std::size_t{i} * codes_size, words[i]);
+        for (unsigned i = 0; i < Count; ++i) put_word(to + reach + std::size_t{i} * codes_size, words[i]);
         bytes += size;
-        places.oldest += size;
-        for (const std::uint8_t*& other : places.others) other += size;
+        to += size;
     }
 }
 
@@ -59,42 +54,43 @@ void TableChecksum::append(const std::uint8_t* bytes, std::size_t count) {
 
 void SparseChecksum::append(const std::uint8_t* bytes, std::size_t count) {
     while (count != 0) {
-        Places places = {put_out_ + at_, {}};
-        std::size_t taken = reach - at_;
+        if (at_ == room) make_room();
+        std::size_t taken = room - at_;
         if (count < taken) taken = count;
-        for (unsigned i = 0; i < 3; ++i) {
-            const unsigned behind = at_ + exponents[i];
-            const unsigned at = behind < reach ? behind : behind - reach;
-            places.others[i] = put_out_ + at;
-            if (reach - at < taken) taken = reach - at;
-        }
+        std::uint8_t* to = put_out_ + at_;
         count -= taken;
         at_ += static_cast<unsigned>(taken);
-        if (at_ == reach) at_ = 0;
-        put_out<4>(bytes, taken, places);
-        put_out<1>(bytes, taken, places);
-        for (; taken != 0; --taken) {
-            unsigned sum = *bytes++ ^ *places.oldest;
-            for (const std::uint8_t*& other : places.others) sum ^= *other++;
-            *places.oldest++ = static_cast<std::uint8_t>(sum);
+        put_out<4>(bytes, taken, to, reach);
+        put_out<1>(bytes, taken, to, reach);
+        for (; taken != 0; --taken, ++to) {
+            unsigned sum = *bytes++ ^ *to;
+            for (const unsigned exponent : exponents) sum ^= to[exponent];
+            to[reach] = static_cast<std::uint8_t>(sum);
         }
     }
+}
+
+// The last bytes put out take the place of the first ones; each word is stored behind where the next is
+// loaded.
+void SparseChecksum::make_room() {
+    constexpr unsigned size = codes_size;
+    unsigned i = 0;
+    for (; i + size <= reach; i += size) put_word(put_out_ + i, codes_at(put_out_ + room + i, 0));
+    for (; i < reach; ++i) put_out_[i] = put_out_[room + i];
+    at_ = 0;
 }
 
 // The bytes that all those put out are still to be added to, as if there were no others; they are taken off
 // again.
 std::uint32_t SparseChecksum::value() const {
     constexpr unsigned piece = 64;
-    const auto put_out_at = [&](unsigned place) {
-        const unsigned at = at_ + place;
-        return put_out_[at < reach ? at : at - reach];
-    };
+    const std::uint8_t* const last = put_out_ + at_;
     std::uint8_t ahead[piece];
     std::uint32_t crc = ~std::uint32_t{0};
     for (unsigned place = 0; place < reach; ++place) {
-        unsigned sum = put_out_at(place);
+        unsigned sum = last[place];
         for (const unsigned exponent : exponents) {
-            if (place + exponent < reach) sum ^= put_out_at(place + exponent);
+            if (place + exponent < reach) sum ^= last[place + exponent];
         }
         ahead[place % piece] = static_cast<std::uint8_t>(sum);
         const bool full = place % piece == piece - 1 || place == reach - 1;
