@@ -289,6 +289,50 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
     }
 }
 
+// Takes so many writes, and then none.
+struct RefusingSink {
+    std::size_t left;
+
+    static bool take(void* context, const std::uint8_t*, std::size_t) {
+        auto& self = *static_cast<RefusingSink*>(context);
+        if (self.left == 0) return false;
+        --self.left;
+        return true;
+    }
+    Sink sink() { return Sink{take, this, take}; }
+};
+
+// Small subtrees beside leaves, and nothing else: one is copied when the sink refuses, and none behind it.
+TEST(StreamSubtree, ARefusalEndsTheWalkBehindASmallSubtree) {
+    const auto grey_of = [](const Part& child) { return Part{Colour::grey, std::vector<Part>(8, child)}; };
+    const Part leaves = {Colour::grey, {{Colour::black, {}}, {}, {}, {}, {}, {}, {}, {}}};
+    const Part a = grey_of(grey_of(grey_of(grey_of(leaves))));
+    const Part b = grey_of(grey_of(leaves));
+    const Bytes bytes_a = Sample{a, 5}.bytes();
+    const Bytes bytes_b = Sample{b, 3}.bytes();
+    StreamCombination job;
+    RefusingSink all = {1000};
+    ASSERT_EQ(
+        combine(job, Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true), all.sink()).status,
+        Status::ok);
+    const std::size_t writes = 1000 - all.left;
+    ASSERT_GT(writes, 4U) << "the header's two, the checksum, and more";
+    for (std::size_t taken = 1; taken < writes - 2; ++taken) {
+        RefusingSink some = {taken};
+        ASSERT_EQ(job.begin(Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true), some.sink()),
+                  Status::ok);
+        std::uint64_t before = 0; // one octant at a time, the subtree in which it happens does not count
+        while (job.step(1)) before = job.decided_volume();
+        EXPECT_EQ(job.finish().status, Status::sink_refused);
+        some.left = taken;
+        ASSERT_EQ(job.begin(Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true), some.sink()),
+                  Status::ok);
+        EXPECT_FALSE(job.step(UINT32_MAX));
+        EXPECT_LE(job.decided_volume(), before + root_volume / 512) << taken;
+        EXPECT_EQ(job.finish().status, Status::sink_refused);
+    }
+}
+
 // What the reader says of a stream, a Boolean says of it too, whichever operand it is and whatever leaf
 // stands beside it.
 void expect_like_reader(StreamCombination& job, Operator op, const StreamModel& model,

@@ -39,7 +39,7 @@ class StreamCombination {
     /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
     /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read of at most
     /// 64 bytes or a write of at most 64, or 512 where registers are wide. Of a checked operand's grey
-    /// octants up to 32 go by at once, so at times 31 more than asked for; of an indexed one's up to 50.
+    /// octants up to 36 go by at once, so at times 35 more than asked for; of an indexed one's up to 50.
     bool step(std::uint32_t octants);
 
     /// Exact progress: each of two passes decides half of the root's volume (2^60 cells), a single one all of
@@ -57,6 +57,8 @@ class StreamCombination {
     enum class Held : std::uint8_t { none, a, b };
     enum class Way : std::uint8_t { each, beside, skipped, copied, inverted };
 
+    class CheckedWalk;
+
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
     void begin_writing(std::uint64_t nodes);
@@ -71,12 +73,15 @@ class StreamCombination {
     bool visit_beside(bool may);
     void hold(std::uint32_t leaf);
     std::uint32_t beside(std::uint32_t codes) const;
-    inline void visit_checked();
-    void visit_beside_checked();
     std::uint32_t step_checked(std::uint32_t most);
+    std::uint32_t visit_checked(std::uint32_t most);
+    bool is_over(bool beside);
+    void begin_beside(bool grey_a, RegisterWord leaf);
+    std::uint32_t pass_small(StreamCursor& walker);
     void end_checked();
     void begin_below();
     std::uint32_t pass(std::uint32_t most);
+    void end_below();
     void arrive();
     void advance();
     void step_back();

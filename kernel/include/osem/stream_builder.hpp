@@ -56,6 +56,14 @@ class StreamBuilder {
     friend class StreamCombination;
     friend Status write_stream(const Octree& tree, StreamHeader header, const Sink& sink);
 
+    class Siblings;
+
+    /// Codes that are on their way into the buffer.
+    struct Word {
+        RegisterWord bits = 0;
+        unsigned used = 0; ///< bits of it in use; not all, between calls
+    };
+
     std::uint32_t behind_next() const;
     std::uint64_t volume() const;
     bool put_canonical(std::uint32_t codes, unsigned count);
@@ -66,16 +74,17 @@ class StreamBuilder {
     void end_child();
     void close_full();
     void put(RegisterWord codes, unsigned count);
-    void end_word(RegisterWord next);
+    inline void put(Word& word, RegisterWord codes, unsigned count);
+    inline void put_groups(Word& word, RegisterWord codes, unsigned groups);
+    void end_word(RegisterWord full);
     void write_buffer();
     void write(const std::uint8_t* bytes, std::size_t count);
 
     Sink sink_ = {};
     StreamHeader header_ = {};
     std::uint64_t nodes_ = 0;
-    RegisterWord bits_ = 0; ///< the word that is being filled
+    Word word_;
     Checksum checksum_;
-    unsigned used_ = 0; ///< bits of it in use; not all, between calls
     unsigned filled_ = 0;
     int level_ = 0;
     int pending_ = 0;               ///< the open octants from this level on are kept back

@@ -102,9 +102,6 @@ class StreamCursor {
     static constexpr std::uint32_t alike_bit = 1U << 18;
     static constexpr std::uint32_t hidden_bit = 1U << 19;
 
-    /// Codes of a leaf, or of a grey octant and its children.
-    static constexpr unsigned codes_of(std::uint32_t next) { return 1 + ((next & grey_bit) >> 13); }
-
     const std::uint8_t* bytes() const { return window_.bytes; }
     bool is_in_place() const { return window_.bytes != window_.buffer; }
     void fail(Status status, std::uint64_t offset);
@@ -117,7 +114,6 @@ class StreamCursor {
     void pass_leaves();
     void step_back();
     inline std::uint32_t look() const;
-    inline std::uint32_t look_checked() const;
     inline void take(std::uint32_t next, bool known);
     Passage pass(int floor, std::uint32_t most, bool read);
     Passage pass_checked(std::uint32_t most);

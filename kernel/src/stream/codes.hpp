@@ -45,6 +45,15 @@ constexpr unsigned codes_ahead = 16;
     return codes_at(bytes, bit) | last << (8 * codes_size - 8) << (8 - bit % 8);
 }
 
+/// One of two. Where registers are wide it is no branch: which one cannot be guessed where surfaces meet, and
+/// a wrong guess takes longer than both.
+template <class Number>
+[[gnu::always_inline]] constexpr Number chosen(bool condition, Number yes, Number no) {
+    if constexpr (!has_wide_registers) return condition ? yes : no;
+    const Number mask = Number{0} - static_cast<Number>(condition);
+    return (yes & mask) | (no & ~mask);
+}
+
 /// The lower bit of each code that is grey's.
 constexpr Codes grey_codes(Codes codes) {
     return (codes >> 1) & ~codes & static_cast<Codes>(0x5555555555555555U);

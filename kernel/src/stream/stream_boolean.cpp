@@ -1,29 +1,11 @@
 #include "osem/stream_boolean.hpp"
 
-#include "stream/codes.hpp"
+#include "stream/connectives.hpp"
 #include "tree/run_to_end.hpp"
 
 namespace osem {
 
 namespace {
-
-std::uint16_t low_bits(std::uint32_t bits) { return static_cast<std::uint16_t>(bits); }
-
-// Kleene's connectives, on as many codes as there are; exclusive or is (a and not b) or (not a and b).
-std::uint32_t connected(Operator op, std::uint32_t a, std::uint32_t b) {
-    switch (op) {
-    case Operator::unite:
-        return a | b;
-    case Operator::intersect:
-        return a & b;
-    case Operator::subtract:
-        return a & complemented(b);
-    default: // exclusive or
-        return (a & complemented(b)) | (complemented(a) & b);
-    }
-}
-
-constexpr std::uint32_t all_children = 0x55555555U; // times a code: that code for all children, and more
 
 // One leaf of each colour, and what a complement makes of them.
 constexpr std::uint32_t each_colour = 0b110100;
@@ -45,14 +27,6 @@ inline std::uint32_t StreamCursor::look() const {
     const auto below = static_cast<std::uint16_t>(codes >> 2);
     if (!eight_leaves(grey_codes(below))) return below | grey_bit;
     return below | (eight_alike(below) ? grey_bit | alike_bit : grey_bit | known_bit);
-}
-
-// The same of a checked operand, which is in the buffer.
-inline std::uint32_t StreamCursor::look_checked() const {
-    const auto codes = static_cast<std::uint32_t>(codes_at(bytes(), 2 * at_));
-    if ((codes & 3U) != static_cast<unsigned>(Colour::grey)) return (codes & 3U) * 0x5555U | known_bit;
-    const auto below = static_cast<std::uint16_t>(codes >> 2);
-    return below | (eight_leaves(grey_codes(below)) ? grey_bit | known_bit : grey_bit);
 }
 
 bool StreamCombination::check(const StreamCursor& cursor, unsigned operand) {
@@ -159,74 +133,6 @@ bool StreamCombination::step(std::uint32_t octants) {
     return true;
 }
 
-// The same where nothing can be wrong in either operand: a step.
-std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
-    std::uint32_t steps = 1;
-    if (way_ == Way::each) {
-        visit_checked();
-    } else if (way_ == Way::beside) {
-        visit_beside_checked();
-    } else {
-        steps = pass(most);
-    }
-    if (!in_progress()) return steps;
-    if (!builder_.taken()) {
-        fail(Status::sink_refused, 0, 0);
-    } else if (builder_.whole()) {
-        end_checked();
-    }
-    return steps;
-}
-
-[[gnu::always_inline]] inline void StreamCombination::visit_checked() {
-    if (!a_.is_ready() || !b_.is_ready()) {
-        if (check(a_, 0)) check(b_, 1);
-        return;
-    }
-    const std::uint32_t next_a = a_.look_checked();
-    const std::uint32_t next_b = b_.look_checked();
-    if ((next_a & next_b & StreamCursor::known_bit) != 0) {
-        a_.at_ += StreamCursor::codes_of(next_a);
-        b_.at_ += StreamCursor::codes_of(next_b);
-        return builder_.leaves(low_bits(connected(op_, next_a, next_b)));
-    }
-    ++a_.at_;
-    ++b_.at_;
-    const bool grey_a = (next_a & StreamCursor::grey_bit) != 0;
-    if (grey_a && (next_b & StreamCursor::grey_bit) != 0) return builder_.open();
-    held_ = grey_a ? Held::b : Held::a;
-    (grey_a ? b_ : a_).colour_ = static_cast<Colour>((grey_a ? next_b : next_a) & 3U);
-    held_level_ = static_cast<std::uint8_t>(builder_.level());
-    begin_below();
-}
-
-void StreamCombination::visit_beside_checked() {
-    StreamCursor& cursor = held_ == Held::a ? b_ : a_;
-    if (!cursor.is_ready()) {
-        check(cursor, held_ == Held::a ? 1 : 0);
-        return;
-    }
-    const std::uint32_t next = cursor.look_checked();
-    if ((next & StreamCursor::known_bit) != 0) {
-        cursor.at_ += StreamCursor::codes_of(next);
-        builder_.leaves(low_bits(beside(next)));
-        if (builder_.level() <= held_level_) way_ = Way::each;
-    } else {
-        ++cursor.at_;
-        begin_below();
-    }
-}
-
-// Behind the last octants.
-void StreamCombination::end_checked() {
-    a_.end_checked();
-    if (!check(a_, 0)) return;
-    b_.end_checked();
-    if (!check(b_, 1)) return;
-    end_pass();
-    if (in_progress()) step_back();
-}
-
 // The held operand stays at this leaf while the other one walks below it.
 void StreamCombination::hold(std::uint32_t leaf) {
     StreamCursor& held = held_ == Held::a ? a_ : b_;
@@ -292,15 +198,18 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
         builder_.copy(passage.bytes, passage.at, passage.codes, passage.nodes, way_ == Way::inverted);
     }
     const bool over = checked_ ? walker.to_come_ == 0 : walker.path_.level() <= held_level_;
-    if (over) {
-        way_ == Way::skipped ? builder_.leaf(colour_) : builder_.end_child();
-        way_ = Way::each;
-    }
+    if (over) end_below();
     if (!builder_.taken()) {
         if (over && !checked_) advance();
         fail(Status::sink_refused, 0, 0);
     }
     return passage.nodes < most ? passage.nodes : most;
+}
+
+// Behind what went by as a whole.
+void StreamCombination::end_below() {
+    way_ == Way::skipped ? builder_.leaf(colour_) : builder_.end_child();
+    way_ = Way::each;
 }
 
 // Lets the cursors meet what is next: they read on, find a fault, or the end. Then all but the end of a pass

@@ -1,7 +1,7 @@
 #include "osem/stream_builder.hpp"
 
-#include "stream/codes.hpp"
 #include "stream/header.hpp"
+#include "stream/siblings.hpp"
 #include "tree/unaligned.hpp"
 
 namespace osem {
@@ -26,9 +26,8 @@ void copy_words(const std::uint8_t* from, unsigned bit, unsigned count, bool inv
 
 void StreamBuilder::restart() {
     nodes_ = 0;
-    bits_ = 0;
+    word_ = Word{};
     checksum_ = Checksum();
-    used_ = 0;
     filled_ = 0;
     level_ = 0;
     pending_ = 0;
@@ -137,7 +136,7 @@ void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count,
     nodes_ += nodes;
     if (!writing_) return;
     while (count != 0) {
-        if (used_ == 0 && count >= codes_count) {
+        if (word_.used == 0 && count >= codes_count) {
             const unsigned room = (static_cast<unsigned>(sizeof buffer_) - filled_) / codes_size;
             const unsigned words = count / codes_count < room ? count / codes_count : room;
             copy_words(bytes + at / 4, 2 * (at % 4), words, inverted, buffer_ + filled_);
@@ -147,7 +146,7 @@ void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count,
             if (filled_ == sizeof buffer_) write_buffer();
             continue;
         }
-        const unsigned begun = (codes_bits - used_) / 2; // codes that the word has room for
+        const unsigned begun = (codes_bits - word_.used) / 2; // codes that the word has room for
         const unsigned some = count < begun ? count : begun;
         const Codes codes = all_codes_at(bytes, 2 * at);
         put((inverted ? complemented(codes) : codes) & ((Codes{1} << (2 * some)) - 1), some);
@@ -170,20 +169,12 @@ void StreamBuilder::end_child() {
     if (level_ == 0 || ++children_[level_ - 1] == 8) close_full();
 }
 
-// Fewer codes than a word holds.
-void StreamBuilder::put(Codes codes, unsigned count) {
-    if (!writing_) return;
-    bits_ |= codes << used_;
-    used_ += 2 * count;
-    if (used_ < codes_bits) return;
-    used_ -= codes_bits;
-    end_word(codes >> (2 * count - used_));
-}
+void StreamBuilder::put(Codes codes, unsigned count) { put(word_, codes, count); }
 
-// The word is full, and another one begins.
-void StreamBuilder::end_word(Codes next) {
-    put_word(buffer_ + filled_, bits_);
-    bits_ = next;
+// A word is full.
+void StreamBuilder::end_word(Codes full) {
+    if (!writing_) return;
+    put_word(buffer_ + filled_, full);
     filled_ += codes_size;
     if (filled_ == sizeof buffer_) write_buffer();
 }
@@ -203,8 +194,8 @@ Status StreamBuilder::finish() {
     if (!whole_) return Status::unfinished;
     if (!writing_) return taken_ ? Status::ok : Status::sink_refused;
     writing_ = false;
-    put_word(buffer_ + filled_, bits_);
-    filled_ += used_ / 8 + 1; // 8n + 1 codes: the last byte holds one
+    put_word(buffer_ + filled_, word_.bits);
+    filled_ += word_.used / 8 + 1; // 8n + 1 codes: the last byte holds one
     write_buffer();
     std::uint8_t bytes[stream_header_size];
     put_number(bytes, checksum_.value());

@@ -1,0 +1,203 @@
+// Booleans of two checked streams. Nothing can be wrong in them, so no path is followed in either: they are
+// at the octant at which the builder is.
+#include "osem/stream_boolean.hpp"
+#include "stream/connectives.hpp"
+#include "stream/siblings.hpp"
+#include "tree/unaligned.hpp"
+
+namespace osem {
+
+namespace {
+
+// Codes of a subtree that are passed here: most subtrees end before.
+constexpr unsigned small_codes = 128;
+
+// The lower bits of grey codes among those of an octant and its children.
+constexpr Codes family = 0x15555U;
+
+constexpr bool is_grey(Codes greys) { return (greys & 1U) != 0; }
+
+// Whether each of two octants is a leaf, or all of its children are.
+constexpr bool are_known(Codes greys, Codes other) {
+    if constexpr (!has_wide_registers) {
+        return (greys == 1 || !is_grey(greys)) && (other == 1 || !is_grey(other));
+    }
+    return (chosen(is_grey(greys), greys, Codes{0}) | chosen(is_grey(other), other, Codes{0})) <= 1;
+}
+
+constexpr std::uint32_t least(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const std::uint32_t least_of_two = a < b ? a : b;
+    return least_of_two < c ? least_of_two : c;
+}
+
+} // namespace
+
+// The codes of an operand that come next; of one that is held, its leaf's for ever. In line: calls would be a
+// fifth of the instructions.
+class StreamCombination::CheckedWalk {
+  public:
+    [[gnu::always_inline]] CheckedWalk(StreamCursor& cursor, bool is_held)
+        : cursor_(cursor), bytes_(is_held ? held_ : cursor.bytes()), bit_(is_held ? 0 : 2 * cursor.at_),
+          limit_(is_held ? UINT32_MAX : 2 * cursor.limit_), step_(is_held ? 0 : 2) {
+        put_word(held_, static_cast<Codes>(cursor.colour_) * static_cast<Codes>(0x5555555555555555U));
+    }
+
+    StreamCursor& cursor() const { return cursor_; }
+    [[gnu::always_inline]] Codes codes() const { return codes_at(bytes_, bit_); }
+
+    /// Octants that may be taken until it must be asked again: each has nine codes at most.
+    [[gnu::always_inline]] std::uint32_t ready() const {
+        return bit_ < limit_ ? (limit_ - bit_ - 1) / 32 + 1 : 0;
+    }
+
+    /// Whether all that pass_small looks at is there: it begins with less than small_codes behind it.
+    [[gnu::always_inline]] bool has_small() const { return limit_ > bit_ + 2 * (small_codes + codes_count); }
+
+    /// Takes an octant's code.
+    [[gnu::always_inline]] void take() { bit_ += step_; }
+
+    /// Takes an octant that is known; what its children are, for a leaf its own code eight times.
+    [[gnu::always_inline]] std::uint32_t take_known(Codes codes, Codes greys) {
+        const bool grey = is_grey(greys);
+        bit_ += step_ + chosen(grey, 16U, 0U);
+        const auto leaf = static_cast<std::uint32_t>(codes & 3U);
+        return chosen(grey, static_cast<std::uint32_t>(codes >> 2) & 0xffffU, leaf * 0x5555U);
+    }
+
+    [[gnu::always_inline]] void begin() { bit_ = 2 * cursor_.at_; }
+    [[gnu::always_inline]] void end() {
+        if (step_ != 0) cursor_.at_ = bit_ / 2;
+    }
+
+  private:
+    StreamCursor& cursor_;
+    const std::uint8_t* bytes_;
+    unsigned bit_;
+    unsigned limit_;
+    unsigned step_;
+    std::uint8_t held_[codes_size] = {};
+};
+
+// Goes on, and looks whether that was all.
+std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
+    const bool each = way_ == Way::each || way_ == Way::beside;
+    const std::uint32_t steps = each ? visit_checked(most) : pass(most);
+    if (!in_progress()) return steps;
+    if (!builder_.taken()) {
+        fail(Status::sink_refused, 0, 0);
+    } else if (builder_.whole()) {
+        end_checked();
+    }
+    return steps < most ? steps : most;
+}
+
+// Visits the octants that come next in both operands, or in the one that goes on below a leaf of the other.
+std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
+    const bool beside = way_ == Way::beside;
+    const bool holds_a = beside && held_ == Held::a;
+    const bool holds_b = beside && held_ == Held::b;
+    if ((!holds_a && !a_.is_ready()) || (!holds_b && !b_.is_ready())) {
+        if (check(a_, 0)) check(b_, 1);
+        return 1;
+    }
+    CheckedWalk a(a_, holds_a);
+    CheckedWalk b(b_, holds_b);
+    StreamBuilder::Siblings siblings(builder_);
+    const Operator op = op_;
+    std::uint32_t granted = least(most, a.ready(), b.ready());
+    std::uint32_t left = granted;
+    std::uint32_t steps = 0;
+    while (left != 0) {
+        --left;
+        const Codes next_a = a.codes();
+        const Codes next_b = b.codes();
+        const Codes greys_a = grey_codes(next_a) & family;
+        const Codes greys_b = grey_codes(next_b) & family;
+        if (are_known(greys_a, greys_b)) {
+            const std::uint32_t next =
+                connected(op, a.take_known(next_a, greys_a), b.take_known(next_b, greys_b));
+            if (siblings.leaves(next) && is_over(beside)) break;
+            continue;
+        }
+        a.take();
+        b.take();
+        if (beside || is_grey(greys_a & greys_b)) {
+            siblings.open();
+            continue;
+        }
+        const bool grey_a = is_grey(greys_a);
+        siblings.end();
+        begin_beside(grey_a, grey_a ? next_b : next_a);
+        CheckedWalk& walk = grey_a ? a : b;
+        walk.end();
+        steps += granted - left;
+        granted = left = 0;
+        if (way_ != Way::beside && steps < most && walk.has_small()) {
+            steps += pass_small(walk.cursor());
+            walk.begin();
+        }
+        siblings.begin();
+        if (way_ != Way::each || steps >= most || !builder_.taken()) break;
+        granted = left = least(most - steps, a.ready(), b.ready());
+    }
+    siblings.end();
+    a.end();
+    b.end();
+    return steps + (granted - left);
+}
+
+// Whether the walk must stop where octants are complete.
+bool StreamCombination::is_over(bool beside) {
+    if (beside && builder_.level() <= held_level_) way_ = Way::each;
+    return builder_.whole() || !builder_.taken() || (beside && way_ == Way::each);
+}
+
+// One operand's octant is grey, that of the other one is a leaf.
+void StreamCombination::begin_beside(bool grey_a, Codes leaf) {
+    held_ = grey_a ? Held::b : Held::a;
+    (grey_a ? b_ : a_).colour_ = static_cast<Colour>(leaf & 3U);
+    held_level_ = static_cast<std::uint8_t>(builder_.level());
+    begin_below();
+}
+
+// Begins to pass a subtree, and ends it if it is small: by as many codes as a register holds at a time.
+// Returns the grey ones.
+std::uint32_t StreamCombination::pass_small(StreamCursor& walker) {
+    const std::uint8_t* from = walker.bytes() + walker.at_ / 4;
+    const unsigned bit = 2 * (walker.at_ % 4);
+    const bool copies = way_ != Way::skipped;
+    const bool inverts = way_ == Way::inverted;
+    StreamBuilder::Word word = builder_.word_;
+    std::uint32_t nodes = 0;
+    unsigned passed = 0; // groups
+    std::uint32_t to_come = 1;
+    do {
+        const Codes codes = all_codes_at(from, bit);
+        const CodeGroups groups(codes);
+        const unsigned taken = groups.to_end(to_come, CodeGroups::count);
+        const unsigned greys = groups.greys(taken);
+        if (copies) builder_.put_groups(word, inverts ? complemented(codes) : codes, taken);
+        from += std::size_t{2} * taken;
+        passed += taken;
+        nodes += greys;
+        to_come += greys - taken;
+    } while (to_come != 0 && passed < small_codes / 8);
+    builder_.word_ = word;
+    if (copies) builder_.nodes_ += nodes;
+    walker.at_ += 8 * passed;
+    walker.to_come_ = to_come;
+    if (to_come == 0) end_below();
+    return nodes;
+}
+
+// Behind the last octants.
+void StreamCombination::end_checked() {
+    a_.end_checked();
+    if (!check(a_, 0)) return;
+    b_.end_checked();
+    if (!check(b_, 1)) return;
+    end_pass();
+    if (in_progress()) step_back();
+}
+
+} // namespace osem
