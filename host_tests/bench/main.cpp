@@ -48,6 +48,8 @@ void add_booleans() {
             }
         }
     }
+    // Less of the solids is where their surfaces meet.
+    osem::bench::add_boolean({"armadillo", "elephant", 11}, Operator::unite);
 }
 
 } // namespace

@@ -63,8 +63,9 @@ def boolean_targets(found):
     yield ("CGAL corefinement at 1024: time, to the pool's", ">=", 100, "x", ratio(union("cgal"), union("osem-pool")))
     for text, method in (("checked on the way", "osem-stream"), ("checked before", "osem-stream-checked"),
                          ("with indexes", "osem-stream-indexed")):
-        yield (f"union of streams {text}, at 1024, an input node", "<=", 1, "ns",
-               quotient(found, ("union", PAIR, 1024, method), "nodes", 1e6))
+        for cells in (1024, 2048):
+            yield (f"union of streams {text}, at {cells}, an input node", "<=", 1, "ns",
+                   quotient(found, ("union", PAIR, cells, method), "nodes", 1e6))
 
 
 def judged(found):
