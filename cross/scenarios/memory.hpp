@@ -18,7 +18,7 @@ extern NodePool& pool;
 extern Conversion conversion;
 
 /// Where every other job lives, one at a time. Checksums of streams take more where registers are wide.
-constexpr std::size_t workspace_size = has_wide_registers ? 8400 : 3040;
+constexpr std::size_t workspace_size = has_wide_registers ? 8448 : 3040;
 alignas(8) extern unsigned char workspace[workspace_size];
 
 /// A new job, or scratch of any plain type, in the workspace; what stood there before is gone.

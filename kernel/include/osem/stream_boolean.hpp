@@ -58,6 +58,7 @@ class StreamCombination {
     enum class Way : std::uint8_t { each, beside, skipped, copied, inverted };
 
     class CheckedWalk;
+    struct Subtree;
 
     Status start(Operator op, const Source& a, const Source* b, const Sink& sink);
     bool begin_pass();
@@ -76,10 +77,10 @@ class StreamCombination {
     std::uint32_t step_checked(std::uint32_t most);
     std::uint32_t visit_checked(std::uint32_t most);
     bool is_over(bool beside);
-    void begin_beside(bool grey_a, RegisterWord leaf);
-    std::uint32_t pass_small(StreamCursor& walker);
+    void begin_beside(const Subtree& subtree);
     void end_checked();
     void begin_below();
+    void choose_way();
     std::uint32_t pass(std::uint32_t most);
     void end_below();
     void arrive();

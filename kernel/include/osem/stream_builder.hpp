@@ -58,10 +58,16 @@ class StreamBuilder {
 
     class Siblings;
 
+    /// Bits that are kept in a register until they are full, and go into the buffer: where registers are wide
+    /// a byte, so that what is put out has no branches, else a word.
+    static constexpr unsigned unit_bits = has_wide_registers ? 8 : 32;
+    /// What goes out at a time.
+    static constexpr unsigned piece_size = has_wide_registers ? 512 : 64;
+
     /// Codes that are on their way into the buffer.
     struct Word {
         RegisterWord bits = 0;
-        unsigned used = 0; ///< bits of it in use; not all, between calls
+        unsigned used = 0; ///< bits of it in use; fewer than a unit's, between calls
     };
 
     std::uint32_t behind_next() const;
@@ -75,9 +81,9 @@ class StreamBuilder {
     void close_full();
     void put(RegisterWord codes, unsigned count);
     inline void put(Word& word, RegisterWord codes, unsigned count);
-    inline void put_groups(Word& word, RegisterWord codes, unsigned groups);
+    inline void put_groups(Word& word, RegisterWord codes, unsigned groups, bool stay);
     void end_word(RegisterWord full);
-    void write_buffer();
+    void write_piece();
     void write(const std::uint8_t* bytes, std::size_t count);
 
     Sink sink_ = {};
@@ -85,7 +91,7 @@ class StreamBuilder {
     std::uint64_t nodes_ = 0;
     Word word_;
     Checksum checksum_;
-    unsigned filled_ = 0;
+    unsigned filled_ = 0; ///< bytes of the buffer; fewer than a piece's, between calls
     int level_ = 0;
     int pending_ = 0;               ///< the open octants from this level on are kept back
     Colour colour_ = Colour::white; ///< of the leaves kept back
@@ -94,7 +100,8 @@ class StreamBuilder {
     bool taken_ = true;
     bool whole_ = false;
     std::uint8_t children_[max_depth] = {}; ///< complete children of each open octant
-    std::uint8_t buffer_[has_wide_registers ? 512 : 64] = {};
+    /// A word may begin before a piece's end, and a unit behind it is looked at.
+    std::uint8_t buffer_[piece_size + (has_wide_registers ? 2 : 1) * sizeof(RegisterWord)] = {};
 };
 
 } // namespace osem

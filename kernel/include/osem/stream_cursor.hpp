@@ -116,10 +116,10 @@ class StreamCursor {
     inline std::uint32_t look() const;
     inline void take(std::uint32_t next, bool known);
     Passage pass(int floor, std::uint32_t most, bool read);
-    Passage pass_checked(std::uint32_t most);
+    Passage pass_checked(std::uint32_t most, bool read, std::uint32_t behind);
     /// Whether there is an index to go on by. Where codes are to be read they must be in memory.
     bool may_jump(bool read) const { return source_.index != nullptr && (!read || is_in_place()); }
-    bool jump(std::uint32_t behind, std::uint32_t most, Passage& passage);
+    void jump(std::uint32_t behind, std::uint32_t most, Passage& passage);
     void end();
     void end_checked();
     std::uint64_t byte_of(unsigned code) const { return loaded_ - filled_ + code / 4; }

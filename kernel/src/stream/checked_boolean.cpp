@@ -42,7 +42,6 @@ class StreamCombination::CheckedWalk {
         put_word(held_, static_cast<Codes>(cursor.colour_) * static_cast<Codes>(0x5555555555555555U));
     }
 
-    StreamCursor& cursor() const { return cursor_; }
     [[gnu::always_inline]] Codes codes() const { return codes_at(bytes_, bit_); }
 
     /// Octants that may be taken until it must be asked again: each has nine codes at most.
@@ -56,6 +55,11 @@ class StreamCombination::CheckedWalk {
     /// Takes an octant's code.
     [[gnu::always_inline]] void take() { bit_ += step_; }
 
+    /// Takes codes that have been looked at elsewhere.
+    [[gnu::always_inline]] void pass(unsigned codes) { bit_ += 2 * codes; }
+    const std::uint8_t* bytes() const { return bytes_; }
+    unsigned bit() const { return bit_; }
+
     /// Takes an octant that is known; what its children are, for a leaf its own code eight times.
     [[gnu::always_inline]] std::uint32_t take_known(Codes codes, Codes greys) {
         const bool grey = is_grey(greys);
@@ -64,7 +68,6 @@ class StreamCombination::CheckedWalk {
         return chosen(grey, static_cast<std::uint32_t>(codes >> 2) & 0xffffU, leaf * 0x5555U);
     }
 
-    [[gnu::always_inline]] void begin() { bit_ = 2 * cursor_.at_; }
     [[gnu::always_inline]] void end() {
         if (step_ != 0) cursor_.at_ = bit_ / 2;
     }
@@ -76,6 +79,38 @@ class StreamCombination::CheckedWalk {
     unsigned limit_;
     unsigned step_;
     std::uint8_t held_[codes_size] = {};
+};
+
+// One operand's octant is grey, that of the other one is a leaf: what becomes of it, and what has gone by of
+// it.
+struct StreamCombination::Subtree {
+    bool grey_a;
+    unsigned leaf; // its code
+    Beside beside;
+    unsigned codes = 0;        // that have gone by
+    std::uint32_t nodes = 0;   // of them
+    std::uint32_t to_come = 1; // groups
+
+    bool copied() const { return beside >= Beside::copied; }
+
+    // As many codes as a register holds at a time, until it ends or is not small.
+    [[gnu::always_inline]] void pass_small(const std::uint8_t* bytes, unsigned bit,
+                                           StreamBuilder::Siblings& siblings) {
+        const std::uint8_t* from = bytes + bit / 8;
+        const bool copies = copied();
+        const bool inverts = beside == Beside::inverted;
+        do {
+            const Codes next = all_codes_at(from, bit % 8);
+            const CodeGroups groups(next);
+            const unsigned taken = groups.to_end(to_come, CodeGroups::count);
+            const unsigned greys = groups.greys(taken);
+            siblings.put_groups(inverts ? complemented(next) : next, taken, copies);
+            from += std::size_t{2} * taken;
+            codes += 8 * taken;
+            nodes += greys;
+            to_come += greys - taken;
+        } while (to_come != 0 && codes < small_codes);
+    }
 };
 
 // Goes on, and looks whether that was all.
@@ -107,6 +142,8 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
     std::uint32_t granted = least(most, a.ready(), b.ready());
     std::uint32_t left = granted;
     std::uint32_t steps = 0;
+    Subtree subtree = {false, 0, Beside::white};
+    bool goes_on = false; // the subtree does, behind this
     while (left != 0) {
         --left;
         const Codes next_a = a.codes();
@@ -126,23 +163,29 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
             continue;
         }
         const bool grey_a = is_grey(greys_a);
-        siblings.end();
-        begin_beside(grey_a, grey_a ? next_b : next_a);
-        CheckedWalk& walk = grey_a ? a : b;
-        walk.end();
-        steps += granted - left;
+        const auto leaf = static_cast<unsigned>(chosen(grey_a, next_b, next_a) & 3U);
+        subtree = {grey_a, leaf, beside_leaf(op, !grey_a, leaf)};
+        goes_on = true;
+        const bool small = (grey_a ? a : b).has_small() && subtree.beside != Beside::connected && left != 0;
+        if (!small || !siblings.stands_with(subtree.copied())) break;
+        siblings.put(static_cast<std::uint32_t>(Colour::grey), subtree.copied());
+        siblings.add_nodes(chosen(subtree.copied(), 1U, 0U));
+        subtree.pass_small(grey_a ? a.bytes() : b.bytes(), chosen(grey_a, a.bit(), b.bit()), siblings);
+        siblings.add_nodes(chosen<std::uint32_t>(subtree.copied(), subtree.nodes, 0));
+        a.pass(chosen(grey_a, subtree.codes, 0U));
+        b.pass(chosen(grey_a, 0U, subtree.codes));
+        steps += granted - left + subtree.nodes;
         granted = left = 0;
-        if (way_ != Way::beside && steps < most && walk.has_small()) {
-            steps += pass_small(walk.cursor());
-            walk.begin();
-        }
-        siblings.begin();
-        if (way_ != Way::each || steps >= most || !builder_.taken()) break;
-        granted = left = least(most - steps, a.ready(), b.ready());
+        if (subtree.to_come != 0) break;
+        goes_on = false;
+        siblings.put(static_cast<std::uint32_t>(subtree.beside), !subtree.copied());
+        if ((siblings.end_child() && is_over(false)) || !builder_.taken()) break;
+        if (steps < most) granted = left = least(most - steps, a.ready(), b.ready());
     }
     siblings.end();
     a.end();
     b.end();
+    if (goes_on) begin_beside(subtree);
     return steps + (granted - left);
 }
 
@@ -152,42 +195,14 @@ bool StreamCombination::is_over(bool beside) {
     return builder_.whole() || !builder_.taken() || (beside && way_ == Way::each);
 }
 
-// One operand's octant is grey, that of the other one is a leaf.
-void StreamCombination::begin_beside(bool grey_a, Codes leaf) {
-    held_ = grey_a ? Held::b : Held::a;
-    (grey_a ? b_ : a_).colour_ = static_cast<Colour>(leaf & 3U);
+// What has not gone by of a subtree goes on by itself.
+void StreamCombination::begin_beside(const Subtree& subtree) {
+    held_ = subtree.grey_a ? Held::b : Held::a;
+    (subtree.grey_a ? b_ : a_).colour_ = static_cast<Colour>(subtree.leaf);
     held_level_ = static_cast<std::uint8_t>(builder_.level());
-    begin_below();
-}
-
-// Begins to pass a subtree, and ends it if it is small: by as many codes as a register holds at a time.
-// Returns the grey ones.
-std::uint32_t StreamCombination::pass_small(StreamCursor& walker) {
-    const std::uint8_t* from = walker.bytes() + walker.at_ / 4;
-    const unsigned bit = 2 * (walker.at_ % 4);
-    const bool copies = way_ != Way::skipped;
-    const bool inverts = way_ == Way::inverted;
-    StreamBuilder::Word word = builder_.word_;
-    std::uint32_t nodes = 0;
-    unsigned passed = 0; // groups
-    std::uint32_t to_come = 1;
-    do {
-        const Codes codes = all_codes_at(from, bit);
-        const CodeGroups groups(codes);
-        const unsigned taken = groups.to_end(to_come, CodeGroups::count);
-        const unsigned greys = groups.greys(taken);
-        if (copies) builder_.put_groups(word, inverts ? complemented(codes) : codes, taken);
-        from += std::size_t{2} * taken;
-        passed += taken;
-        nodes += greys;
-        to_come += greys - taken;
-    } while (to_come != 0 && passed < small_codes / 8);
-    builder_.word_ = word;
-    if (copies) builder_.nodes_ += nodes;
-    walker.at_ += 8 * passed;
-    walker.to_come_ = to_come;
-    if (to_come == 0) end_below();
-    return nodes;
+    if (subtree.codes == 0) return begin_below();
+    choose_way();
+    (subtree.grey_a ? a_ : b_).to_come_ = subtree.to_come;
 }
 
 // Behind the last octants.

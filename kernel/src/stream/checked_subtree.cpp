@@ -8,8 +8,8 @@ namespace osem {
 
 namespace {
 
-// Codes of a subtree that are looked at before an index is: most subtrees end before.
-constexpr unsigned before_jump = IndexedBlock::codes;
+// Codes that are looked at before an index is.
+constexpr unsigned looked_at = IndexedBlock::codes;
 
 // It is enough to follow how many codes are to come, whatever their levels: eight, and eight more for each
 // grey one. So behind every eight codes from the first one on a multiple of eight is to come, and it can be
@@ -51,23 +51,35 @@ std::uint32_t take_groups(const std::uint8_t* bytes, unsigned& at, unsigned limi
 
 } // namespace
 
-// Goes on below a grey octant whose children come next, or where the last call has left it, by what is in the
-// buffer and at most `most` grey octants; by one or to the end of that octant in any case.
-StreamCursor::Passage StreamCursor::pass_checked(std::uint32_t most) {
+// Goes on below a grey octant whose children come next, or where the last call has left it, by at most `most`
+// grey octants; by one or to the end of that octant in any case. By turns what is in the buffer is looked at
+// and an index, if there is one, leads on. `behind` octants are to come behind the subtree.
+StreamCursor::Passage StreamCursor::pass_checked(std::uint32_t most, bool read, std::uint32_t behind) {
     const bool ready = is_ready();
     Passage passage = {bytes(), at_, 0, 0};
     if (!ready) return passage;
-    const bool is_first = source_.index != nullptr && to_come_ == 0;
-    const unsigned limit = is_first && limit_ - at_ > before_jump ? at_ + before_jump : limit_;
-    passage.nodes = take_groups(passage.bytes, at_, limit, most, to_come_);
-    passage.codes = at_ - passage.at;
-    return passage;
+    const bool jumps = may_jump(read);
+    // Most subtrees that are read end before an index need be looked at.
+    for (bool looks = !jumps || (read && to_come_ == 0);; looks = !looks) {
+        if (looks) {
+            const unsigned from = at_;
+            const unsigned limit = jumps && limit_ - at_ > looked_at ? at_ + looked_at : limit_;
+            passage.nodes += take_groups(bytes(), at_, limit, most - passage.nodes, to_come_);
+            passage.codes += at_ - from;
+            if (!jumps || to_come_ == 0) return passage;
+        } else {
+            jump(behind, most, passage);
+            if (done_) return passage;
+        }
+        // What has been loaded since is no longer behind that in memory.
+        if (at_ >= limit_ || bytes() != passage.bytes || passage.nodes >= most) return passage;
+    }
 }
 
 // Goes on to the first block in which the subtree can end by the index: to the last group of eight codes that
-// begins before it, or with it. False where that is none. `behind` octants are to come behind the subtree. A
+// begins before it, or with it, if there is one. `behind` octants are to come behind the subtree. A
 // block has 32 grey codes, and up to 18 more where more is to come behind it than before.
-bool StreamCursor::jump(std::uint32_t behind, std::uint32_t most, Passage& passage) {
+void StreamCursor::jump(std::uint32_t behind, std::uint32_t most, Passage& passage) {
     constexpr std::uint32_t most_blocks = 1U << 20;
     const std::uint32_t blocks = most < 64 ? 1 : most / 32;
     // As many blocks as there can be are numbered by 27 bits.
@@ -81,23 +93,23 @@ bool StreamCursor::jump(std::uint32_t behind, std::uint32_t most, Passage& passa
     if (number > first && begin + bytes_behind > source_.size) --number;
     const unsigned passed = 4 * static_cast<unsigned>(place % IndexedBlock::bytes) + at_ % 4;
     const unsigned codes_before = IndexedBlock::codes * (number - first);
-    if (codes_before < passed + 8) return false;
+    if (codes_before < passed + 8) return;
     const unsigned between = (codes_before - passed) % 8;
-    passage = {bytes(), at_, codes_before - passed - between, 0};
-    at_ += passage.codes;
+    const unsigned codes = codes_before - passed - between;
+    at_ += codes;
+    passage.codes += codes;
     if (at_ >= limit_) { // what is left out is not read
         loaded_ = byte_of(at_);
         filled_ = 0;
         at_ %= 4;
-        if (!load()) return true;
+        if (!load()) return;
     }
-    const Codes codes = codes_at(bytes(), 2 * at_) & ((Codes{1} << (2 * between)) - 1);
+    const Codes next = codes_at(bytes(), 2 * at_) & ((Codes{1} << (2 * between)) - 1);
     const std::uint32_t to_come =
-        indexed_block(source_.index, number).to_come + between - 8 * CodeGroups(codes).greys(1) - behind;
+        indexed_block(source_.index, number).to_come + between - 8 * CodeGroups(next).greys(1) - behind;
     // Each code is one less to come, and a grey one eight more.
-    passage.nodes = passage.codes / 8 + to_come / 8 - (to_come_ == 0 ? 1 : to_come_);
+    passage.nodes += codes / 8 + to_come / 8 - (to_come_ == 0 ? 1 : to_come_);
     to_come_ = to_come / 8;
-    return true;
 }
 
 } // namespace osem

@@ -14,7 +14,7 @@ constexpr std::uint32_t all_children = 0x55555555U;
 
 /// Kleene's connectives, on as many codes as there are; exclusive or is (a and not b) or (not a and b). In
 /// line: calls would be a twentieth of the instructions of a Boolean.
-[[gnu::always_inline]] inline std::uint32_t connected(Operator op, std::uint32_t a, std::uint32_t b) {
+[[gnu::always_inline]] constexpr std::uint32_t connected(Operator op, std::uint32_t a, std::uint32_t b) {
     switch (op) {
     case Operator::unite:
         return a | b;
@@ -25,6 +25,48 @@ constexpr std::uint32_t all_children = 0x55555555U;
     default: // exclusive or
         return (a & complemented(b)) | (complemented(a) & b);
     }
+}
+
+/// What becomes of a grey octant beside a leaf of the other operand: a leaf; or it stays grey, and what is
+/// below it is connected with the leaf, copied, or inverted.
+enum class Beside : std::uint8_t {
+    white = 0,
+    boundary = 1,
+    connected = 2,
+    black = 3,
+    copied = 4,
+    inverted = 5
+};
+
+constexpr bool is_leaf(Beside beside) {
+    return static_cast<unsigned>(beside) < 4 && beside != Beside::connected;
+}
+
+constexpr Beside plain_beside(Operator op, bool leaf_is_a, Colour colour) {
+    constexpr std::uint32_t each_leaf = 0b110100;
+    constexpr std::uint32_t each_complement = 0b000111;
+    const std::uint32_t leaf = 0b010101U * static_cast<std::uint32_t>(colour);
+    const std::uint32_t made =
+        (leaf_is_a ? connected(op, leaf, each_leaf) : connected(op, each_leaf, leaf)) & 0b111111U;
+    if (made == each_leaf) return Beside::copied;
+    if (made == each_complement) return Beside::inverted;
+    return made == (made & 3U) * 0b010101U ? static_cast<Beside>(made & 3U) : Beside::connected;
+}
+
+/// The same, looked up.
+struct BesideTable {
+    constexpr BesideTable() {
+        for (unsigned at = 0; at < sizeof of / sizeof *of; ++at) {
+            of[at] =
+                plain_beside(static_cast<Operator>(at / 8), at / 4 % 2 != 0, static_cast<Colour>(at % 4));
+        }
+    }
+    Beside of[32] = {};
+};
+inline constexpr BesideTable beside_table;
+
+[[gnu::always_inline]] inline Beside beside_leaf(Operator op, bool leaf_is_a, unsigned code) {
+    return beside_table.of[8 * static_cast<unsigned>(op) + (leaf_is_a ? 4U : 0U) + (code & 3U)];
 }
 
 } // namespace osem

@@ -4,26 +4,44 @@
 
 #include "osem/stream_builder.hpp"
 #include "stream/codes.hpp"
+#include "tree/unaligned.hpp"
 
 namespace osem {
 
-/// Fewer codes than a word holds.
+/// Codes that a word holds behind those of a unit; or none.
 [[gnu::always_inline]] inline void StreamBuilder::put(Word& word, Codes codes, unsigned count) {
     word.bits |= codes << word.used;
     word.used += 2 * count;
-    if (word.used < codes_bits) return;
-    word.used -= codes_bits;
-    end_word(word.bits);
-    word.bits = codes >> (2 * count - word.used);
+    if constexpr (has_wide_registers) {
+        put_word(buffer_ + filled_, word.bits);
+        filled_ += word.used / 8;
+        word.bits >>= word.used & ~7U;
+        word.used %= 8;
+        if (filled_ >= piece_size) write_piece();
+    } else if (word.used >= codes_bits) {
+        word.used -= codes_bits;
+        end_word(word.bits);
+        word.bits = codes >> (2 * count - word.used);
+    }
 }
 
-/// Groups of eight codes, at most as many as a word holds.
-[[gnu::always_inline]] inline void StreamBuilder::put_groups(Word& word, Codes codes, unsigned groups) {
-    if (groups != CodeGroups::count) {
-        return put(word, codes & ((Codes{1} << (16 * groups)) - 1), 8 * groups);
+/// Groups of eight codes, from one to as many as a word holds, if they stay.
+[[gnu::always_inline]] inline void StreamBuilder::put_groups(Word& word, Codes codes, unsigned groups,
+                                                             bool stay) {
+    if constexpr (has_wide_registers) {
+        put_word(buffer_ + filled_, word.bits | codes << word.used);
+        filled_ += chosen(stay, 2 * groups, 0U);
+        const Codes begun = codes >> 1 >> (16 * groups - 1 - word.used) & ((Codes{1} << word.used) - 1);
+        word.bits = chosen(stay, begun, word.bits);
+        if (filled_ >= piece_size) write_piece();
+    } else if (!stay) {
+        return;
+    } else if (groups != CodeGroups::count) {
+        put(word, codes & ((Codes{1} << (16 * groups)) - 1), 8 * groups);
+    } else {
+        end_word(word.bits | codes << word.used);
+        word.bits = codes >> 1 >> (codes_bits - 1 - word.used);
     }
-    end_word(word.bits | codes << word.used);
-    word.bits = codes >> 1 >> (codes_bits - 1 - word.used);
 }
 
 /// What a builder is told of leaves whose parent stands for good changes a word and two counters. In between
@@ -58,14 +76,40 @@ class StreamBuilder::Siblings {
             constexpr auto grey = static_cast<std::uint32_t>(Colour::grey);
             nodes_ += chosen(alike, 0U, 1U);
             builder_.put(word_, chosen(alike, codes & 3U, grey | codes << 2), chosen(alike, 1U, 9U));
-            if (++*complete_ != 8) return false;
-            builder_.word_ = word_;
-            builder_.close_full();
-        } else {
-            builder_.word_ = word_;
-            alike ? builder_.leaf(static_cast<Colour>(codes & 3U))
-                  : builder_.leaves(static_cast<std::uint16_t>(codes));
+            return end_child();
         }
+        builder_.word_ = word_;
+        alike ? builder_.leaf(static_cast<Colour>(codes & 3U))
+              : builder_.leaves(static_cast<std::uint16_t>(codes));
+        begin();
+        return true;
+    }
+
+    /// Whether the parent stands for good if the next octant is grey, or does already: its code can be put,
+    /// and what is below it.
+    [[gnu::always_inline]] bool stands_with(bool grey) {
+        if (!stands_ && grey) {
+            builder_.word_ = word_;
+            builder_.flush_pending(builder_.level_);
+            begin();
+        }
+        return stands_;
+    }
+
+    /// A code that stands for good, if it stays, and groups of them behind it.
+    [[gnu::always_inline]] void put(std::uint32_t code, bool stays) {
+        builder_.put(word_, chosen<Codes>(stays, code, 0), chosen(stays, 1U, 0U));
+    }
+    [[gnu::always_inline]] void put_groups(Codes codes, unsigned groups, bool stay) {
+        builder_.put_groups(word_, codes, groups, stay);
+    }
+    [[gnu::always_inline]] void add_nodes(std::uint32_t nodes) { nodes_ += nodes; }
+
+    /// The next octant is complete, all of its codes put; its parent stands. False as by leaves.
+    [[gnu::always_inline]] bool end_child() {
+        if (++*complete_ != 8) return false;
+        builder_.word_ = word_;
+        builder_.close_full();
         begin();
         return true;
     }

@@ -5,15 +5,6 @@
 
 namespace osem {
 
-namespace {
-
-// One leaf of each colour, and what a complement makes of them.
-constexpr std::uint32_t each_colour = 0b110100;
-constexpr std::uint32_t each_complement = 0b000111;
-constexpr std::uint32_t three_codes = 0b111111;
-
-} // namespace
-
 // The octant that is next: the codes of its children, for a leaf its own eight times, and what is known of
 // it. It is hidden where it is not in the buffer, where there is none, and where it must be refused.
 inline std::uint32_t StreamCursor::look() const {
@@ -166,17 +157,22 @@ std::uint32_t StreamCombination::beside(std::uint32_t codes) const {
 
 // What is done below a grey octant beside a leaf of the held operand.
 void StreamCombination::begin_below() {
-    const std::uint32_t colours = beside(each_colour) & three_codes;
-    if (colours == each_colour || colours == each_complement) {
-        way_ = colours == each_colour ? Way::copied : Way::inverted;
-        builder_.begin_copy();
-    } else if (colours == (colours & 3U) * 0b010101U) {
-        way_ = Way::skipped;
-        colour_ = static_cast<Colour>(colours & 3U);
-    } else {
-        way_ = Way::beside;
+    choose_way();
+    if (way_ == Way::beside) {
         builder_.open();
+    } else if (way_ != Way::skipped) {
+        builder_.begin_copy();
     }
+}
+
+void StreamCombination::choose_way() {
+    const bool is_a = held_ == Held::a;
+    const Beside beside = beside_leaf(op_, is_a, static_cast<unsigned>(is_a ? a_.colour_ : b_.colour_));
+    colour_ = static_cast<Colour>(static_cast<unsigned>(beside) & 3U);
+    way_ = beside == Beside::copied      ? Way::copied
+           : beside == Beside::inverted  ? Way::inverted
+           : beside == Beside::connected ? Way::beside
+                                         : Way::skipped;
 }
 
 // Goes on below a grey octant beside a leaf, where none of its parts need be looked at by itself. Returns the
@@ -185,13 +181,10 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
     StreamCursor& walker = held_ == Held::a ? b_ : a_;
     const bool read = way_ != Way::skipped && builder_.writing_;
     StreamCursor::Passage passage;
-    if (!checked_) {
+    if (checked_) {
+        passage = walker.pass_checked(most, read, walker.may_jump(read) ? builder_.behind_next() : 0);
+    } else {
         passage = walker.pass(held_level_, most, read);
-    } else { // most subtrees end before an index need be looked at
-        const bool jumps = walker.to_come_ != 0 && walker.may_jump(read);
-        if (!jumps || !walker.jump(builder_.behind_next(), most, passage)) {
-            passage = walker.pass_checked(most);
-        }
     }
     if (!check(walker, held_ == Held::a ? 1 : 0)) return 0;
     if (way_ != Way::skipped) {

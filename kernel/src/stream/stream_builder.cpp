@@ -129,27 +129,31 @@ void StreamBuilder::begin_copy() {
     put(static_cast<std::uint32_t>(Colour::grey), 1);
 }
 
-// `count` codes from number `at` on, `nodes` of them grey; or those of the complement. The word begun is
-// filled first: so all others are words of what is copied, whichever bit they begin at.
+// `count` codes from number `at` on, `nodes` of them grey; or those of the complement. The unit begun is
+// filled first: so all others begin words of what is copied, whichever bit those begin at.
 void StreamBuilder::copy(const std::uint8_t* bytes, unsigned at, unsigned count, std::uint32_t nodes,
                          bool inverted) {
     nodes_ += nodes;
     if (!writing_) return;
-    while (count != 0) {
-        if (word_.used == 0 && count >= codes_count) {
-            const unsigned room = (static_cast<unsigned>(sizeof buffer_) - filled_) / codes_size;
-            const unsigned words = count / codes_count < room ? count / codes_count : room;
-            copy_words(bytes + at / 4, 2 * (at % 4), words, inverted, buffer_ + filled_);
-            filled_ += words * codes_size;
-            at += words * codes_count;
-            count -= words * codes_count;
-            if (filled_ == sizeof buffer_) write_buffer();
-            continue;
-        }
-        const unsigned begun = (codes_bits - word_.used) / 2; // codes that the word has room for
+    constexpr unsigned unit = unit_bits / 2;
+    if (word_.used != 0) {
+        const unsigned begun = unit - word_.used / 2; // codes that it has room for
         const unsigned some = count < begun ? count : begun;
         const Codes codes = all_codes_at(bytes, 2 * at);
         put((inverted ? complemented(codes) : codes) & ((Codes{1} << (2 * some)) - 1), some);
+        at += some;
+        count -= some;
+    }
+    while (count != 0) {
+        const unsigned room = (piece_size - filled_ + codes_size - 1) / codes_size;
+        const unsigned all = (count + codes_count - 1) / codes_count;
+        const unsigned words = all < room ? all : room;
+        copy_words(bytes + at / 4, 2 * (at % 4), words, inverted, buffer_ + filled_);
+        const unsigned some = count < words * codes_count ? count : words * codes_count;
+        filled_ += some / unit * (unit / 4);
+        word_.used = 2 * (some % unit);
+        word_.bits = codes_at(buffer_ + filled_, 0) & ((Codes{1} << word_.used) - 1);
+        if (filled_ >= piece_size) write_piece();
         at += some;
         count -= some;
     }
@@ -176,14 +180,18 @@ void StreamBuilder::end_word(Codes full) {
     if (!writing_) return;
     put_word(buffer_ + filled_, full);
     filled_ += codes_size;
-    if (filled_ == sizeof buffer_) write_buffer();
+    if (filled_ == piece_size) write_piece();
 }
 
-// In small pieces, so that a sink may be a slow one.
-void StreamBuilder::write_buffer() {
-    checksum_.append(buffer_, filled_);
-    write(buffer_, filled_);
-    filled_ = 0;
+// In small pieces, so that a sink may be a slow one. What is behind a piece begins the next one.
+void StreamBuilder::write_piece() {
+    const unsigned count = filled_ < piece_size ? filled_ : piece_size;
+    if (writing_) {
+        checksum_.append(buffer_, count);
+        write(buffer_, count);
+    }
+    if constexpr (has_wide_registers) put_word(buffer_, codes_at(buffer_ + piece_size, 0));
+    filled_ -= count;
 }
 
 void StreamBuilder::write(const std::uint8_t* bytes, std::size_t count) {
@@ -193,10 +201,10 @@ void StreamBuilder::write(const std::uint8_t* bytes, std::size_t count) {
 Status StreamBuilder::finish() {
     if (!whole_) return Status::unfinished;
     if (!writing_) return taken_ ? Status::ok : Status::sink_refused;
-    writing_ = false;
     put_word(buffer_ + filled_, word_.bits);
     filled_ += word_.used / 8 + 1; // 8n + 1 codes: the last byte holds one
-    write_buffer();
+    write_piece();
+    writing_ = false;
     std::uint8_t bytes[stream_header_size];
     put_number(bytes, checksum_.value());
     write(bytes, stream_trailer_size);

@@ -183,8 +183,7 @@ void StreamCursor::next_or_leaves() {
 StreamCursor::Passage StreamCursor::pass(int floor, std::uint32_t most, bool read) {
     Passage passage = {bytes(), at_, 0, 0};
     if (source_.checked) {
-        const bool jumped = may_jump(read) && jump(path_.to_come(floor), most, passage);
-        if (!jumped) passage = pass_checked(most);
+        passage = pass_checked(most, read, may_jump(read) ? path_.to_come(floor) : 0);
         path_.nodes_left_ -= passage.nodes;
         if (!done_ && to_come_ == 0) path_.leave();
         return passage;
