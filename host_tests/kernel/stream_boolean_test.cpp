@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <random>
 #include <unordered_map>
@@ -12,6 +11,7 @@
 #include "support/byte_stream.hpp"
 #include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
+#include "support/stream_sink.hpp"
 #include "support/stream_source.hpp"
 
 namespace osem::tests {
@@ -20,40 +20,6 @@ namespace {
 
 constexpr Operator all_operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
                                       Operator::exclusive_or};
-
-struct TestSink {
-    Bytes bytes;
-    std::size_t writes = 0;
-    std::size_t refuse_at = SIZE_MAX; ///< the number of writes that are taken
-    bool refused = false;
-
-    bool replaced = false;
-
-    Sink sink() { return Sink{write, this}; }
-    Sink replacing_sink() { return Sink{write, this, replace}; }
-    static bool write(void* context, const std::uint8_t* bytes, std::size_t count) {
-        auto& self = *static_cast<TestSink*>(context);
-        EXPECT_FALSE(self.refused) << "a write after a refusal";
-        EXPECT_FALSE(self.replaced) << "a write behind the last one";
-        self.refused = self.writes == self.refuse_at;
-        if (self.refused) return false;
-        ++self.writes;
-        self.bytes.insert(self.bytes.end(), bytes, bytes + count);
-        return true;
-    }
-    static bool replace(void* context, const std::uint8_t* bytes, std::size_t count) {
-        auto& self = *static_cast<TestSink*>(context);
-        EXPECT_FALSE(self.refused) << "a write after a refusal";
-        EXPECT_FALSE(self.replaced) << "replaced again";
-        EXPECT_LE(count, self.bytes.size()) << "more than was written";
-        self.refused = self.writes == self.refuse_at;
-        if (self.refused || count > self.bytes.size()) return false;
-        ++self.writes;
-        self.replaced = true;
-        std::copy_n(bytes, count, self.bytes.begin());
-        return true;
-    }
-};
 
 // Runs a job, `octants` a step. The progress must never fall, and not exceed the root's volume.
 StreamCombinationOutcome run(StreamCombination& job, std::uint32_t octants) {
@@ -356,32 +322,29 @@ TEST_P(StreamBooleanFaults, ASinkMayRefuseEveryWrite) {
     }
 }
 
-// Leaves of two colours by turns, that are no trees of one leaf: `nodes` of the least level, and those above.
-Bytes stream_of_nodes(std::size_t nodes) {
-    std::vector<Colour> colours;
-    const std::function<void(int)> put = [&](int level) {
-        if (nodes == 0 || level == 6) {
-            colours.push_back(colours.size() % 2 == 0 ? Colour::white : Colour::black);
-            return;
-        }
-        --nodes;
-        colours.push_back(Colour::grey);
-        for (int child = 0; child < 8; ++child) put(level + 1);
-    };
-    put(0);
-    return StreamModel(6, colours).bytes();
+// So many grey octants, as deep as can be and behind all others; the last octant's leaves are the last codes.
+std::vector<Colour> colours_of_nodes(std::size_t& nodes, int level, unsigned number) {
+    if (nodes == 0 || level == 6) return {number % 2 == 0 ? Colour::white : Colour::black};
+    --nodes;
+    std::vector<std::vector<Colour>> children(8);
+    for (unsigned child = 8; child-- > 0;) children[child] = colours_of_nodes(nodes, level + 1, child);
+    std::vector<Colour> colours = {Colour::grey};
+    for (const auto& child : children) colours.insert(colours.end(), child.begin(), child.end());
+    return colours;
 }
+
+Bytes stream_of_nodes(std::size_t nodes) { return StreamModel(6, colours_of_nodes(nodes, 0, 0)).bytes(); }
 
 // The last octant fills the last piece: it is refused, and what follows must not be taken for the end.
 TEST_P(StreamBooleanFaults, ARefusalAtTheLastOctant) {
     StreamCombination job;
     const Bytes white = StreamModel(1, {Colour::white}).bytes();
-    for (std::size_t nodes = 30; nodes < 300; nodes += 1 + nodes % 2) {
+    for (std::size_t nodes = 30; nodes < 300; ++nodes) {
         const Bytes bytes = stream_of_nodes(nodes);
-        for (const unsigned fewer : {0U, 1U}) { // copied as a whole, or octant by octant
+        for (const bool beside : {true, false}) { // copied as a whole, or octant by octant
             for (std::size_t at = 0;; ++at) {
                 TestSource source_a(bytes);
-                TestSource source_b(fewer == 0 ? white : bytes);
+                TestSource source_b(beside ? white : bytes);
                 TestSink to;
                 to.refuse_at = at;
                 const StreamCombinationOutcome outcome =

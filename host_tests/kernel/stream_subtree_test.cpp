@@ -11,6 +11,7 @@
 #include "osem/stream_cursor.hpp"
 #include "osem/stream_query.hpp"
 #include "support/byte_stream.hpp"
+#include "support/stream_sink.hpp"
 #include "support/stream_source.hpp"
 
 namespace osem::tests {
@@ -289,43 +290,34 @@ TEST(StreamSubtree, StepBudgetsChangeNothingAndProgressIsExact) {
     }
 }
 
-// Takes so many writes, and then none.
-struct RefusingSink {
-    std::size_t left;
-
-    static bool take(void* context, const std::uint8_t*, std::size_t) {
-        auto& self = *static_cast<RefusingSink*>(context);
-        if (self.left == 0) return false;
-        --self.left;
-        return true;
-    }
-    Sink sink() { return Sink{take, this, take}; }
-};
-
 // Small subtrees beside leaves, and nothing else: one is copied when the sink refuses, and none behind it.
 TEST(StreamSubtree, ARefusalEndsTheWalkBehindASmallSubtree) {
     const auto grey_of = [](const Part& child) { return Part{Colour::grey, std::vector<Part>(8, child)}; };
-    const Part leaves = {Colour::grey, {{Colour::black, {}}, {}, {}, {}, {}, {}, {}, {}}};
+    const Part leaves = {Colour::grey, {{Colour::black, {}}, {}, {Colour::black, {}}, {}, {}, {}, {}, {}}};
     const Part a = grey_of(grey_of(grey_of(grey_of(leaves))));
     const Part b = grey_of(grey_of(leaves));
     const Bytes bytes_a = Sample{a, 5}.bytes();
     const Bytes bytes_b = Sample{b, 3}.bytes();
     StreamCombination job;
-    RefusingSink all = {1000};
-    ASSERT_EQ(
-        combine(job, Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true), all.sink()).status,
-        Status::ok);
-    const std::size_t writes = 1000 - all.left;
-    ASSERT_GT(writes, 4U) << "the header's two, the checksum, and more";
-    for (std::size_t taken = 1; taken < writes - 2; ++taken) {
-        RefusingSink some = {taken};
-        ASSERT_EQ(job.begin(Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true), some.sink()),
+    TestSink all;
+    ASSERT_EQ(combine(job, Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true),
+                      all.replacing_sink())
+                  .status,
+              Status::ok);
+    ASSERT_GT(all.writes, 4U) << "the header's two, the checksum, and more";
+    for (std::size_t taken = 1; taken < all.writes - 2; ++taken) {
+        TestSink by_one;
+        by_one.refuse_at = taken;
+        ASSERT_EQ(job.begin(Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true),
+                            by_one.replacing_sink()),
                   Status::ok);
         std::uint64_t before = 0; // a step of one octant: to the end of a subtree and into the next at most
         while (job.step(1)) before = job.decided_volume();
         EXPECT_EQ(job.finish().status, Status::sink_refused);
-        some.left = taken;
-        ASSERT_EQ(job.begin(Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true), some.sink()),
+        TestSink at_once;
+        at_once.refuse_at = taken;
+        ASSERT_EQ(job.begin(Operator::unite, source_of(bytes_a, true), source_of(bytes_b, true),
+                            at_once.replacing_sink()),
                   Status::ok);
         EXPECT_FALSE(job.step(UINT32_MAX));
         EXPECT_LE(job.decided_volume(), before + 2 * (root_volume / 512)) << taken;
@@ -461,8 +453,9 @@ TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
     std::mt19937 random(11);
     StreamCombination job;
     for (int round = 0; round < 8; ++round) {
-        const Part part = bushy_part(4, two_colours, random);
-        const Bytes bytes = Sample{part, 4}.bytes();
+        const Part part = bushy_part(6, two_colours, random);
+        const Bytes bytes = Sample{part, 6}.bytes();
+        ASSERT_GT(bytes.size(), 500U);
         const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
         const std::vector<Colour> colours = colours_of(part);
         const auto nodes = static_cast<std::size_t>(std::count(colours.begin(), colours.end(), Colour::grey));

@@ -76,7 +76,7 @@ class StreamCombination {
     std::uint32_t beside(std::uint32_t codes) const;
     std::uint32_t step_checked(std::uint32_t most);
     std::uint32_t visit_checked(std::uint32_t most);
-    bool is_over(bool beside);
+    bool end_octants(bool beside);
     void begin_beside(const Subtree& subtree);
     void end_checked();
     void begin_below();

@@ -9,8 +9,8 @@ namespace osem {
 
 namespace {
 
-// Codes of a subtree that are passed here: most subtrees end before.
-constexpr unsigned small_codes = 128;
+// Codes of a subtree that go by here: most subtrees end before.
+constexpr unsigned small_codes = 256;
 
 // The lower bits of grey codes among those of an octant and its children.
 constexpr Codes family = 0x15555U;
@@ -49,7 +49,8 @@ class StreamCombination::CheckedWalk {
         return bit_ < limit_ ? (limit_ - bit_ - 1) / 32 + 1 : 0;
     }
 
-    /// Whether all that pass_small looks at is there: it begins with less than small_codes behind it.
+    /// Whether all that is looked at of a small subtree is there: the last look is at fewer than small_codes
+    /// codes from here, and goes on for as many as a register holds.
     [[gnu::always_inline]] bool has_small() const { return limit_ > bit_ + 2 * (small_codes + codes_count); }
 
     /// Takes an octant's code.
@@ -73,6 +74,9 @@ class StreamCombination::CheckedWalk {
     }
 
   private:
+    CheckedWalk(const CheckedWalk&) = delete; // it points into itself
+    CheckedWalk& operator=(const CheckedWalk&) = delete;
+
     StreamCursor& cursor_;
     const std::uint8_t* bytes_;
     unsigned bit_;
@@ -93,9 +97,21 @@ struct StreamCombination::Subtree {
 
     bool copied() const { return beside >= Beside::copied; }
 
-    // As many codes as a register holds at a time, until it ends or is not small.
-    [[gnu::always_inline]] void pass_small(const std::uint8_t* bytes, unsigned bit,
-                                           StreamBuilder::Siblings& siblings) {
+    // What is there of it goes by if it is small, or its beginning. Returns whether that was all.
+    [[gnu::always_inline]] bool pass(CheckedWalk& a, CheckedWalk& b, StreamBuilder::Siblings& siblings) {
+        const bool there = beside != Beside::connected && (grey_a ? a : b).has_small();
+        if (!there || (copied() && !siblings.make_stand())) return false;
+        siblings.put_grey(copied());
+        pass_groups(grey_a ? a.bytes() : b.bytes(), chosen(grey_a, a.bit(), b.bit()), siblings);
+        siblings.add_nodes(chosen<std::uint32_t>(copied(), nodes, 0));
+        a.pass(chosen(grey_a, codes, 0U));
+        b.pass(chosen(grey_a, 0U, codes));
+        return to_come == 0;
+    }
+
+    // As many as a register holds at a time.
+    [[gnu::always_inline]] void pass_groups(const std::uint8_t* bytes, unsigned bit,
+                                            StreamBuilder::Siblings& siblings) {
         const std::uint8_t* from = bytes + bit / 8;
         const bool copies = copied();
         const bool inverts = beside == Beside::inverted;
@@ -123,7 +139,7 @@ std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
     } else if (builder_.whole()) {
         end_checked();
     }
-    return steps < most ? steps : most;
+    return steps;
 }
 
 // Visits the octants that come next in both operands, or in the one that goes on below a leaf of the other.
@@ -153,7 +169,7 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
         if (are_known(greys_a, greys_b)) {
             const std::uint32_t next =
                 connected(op, a.take_known(next_a, greys_a), b.take_known(next_b, greys_b));
-            if (siblings.leaves(next) && is_over(beside)) break;
+            if (siblings.leaves(next) && end_octants(beside)) break;
             continue;
         }
         a.take();
@@ -165,21 +181,14 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
         const bool grey_a = is_grey(greys_a);
         const auto leaf = static_cast<unsigned>(chosen(grey_a, next_b, next_a) & 3U);
         subtree = {grey_a, leaf, beside_leaf(op, !grey_a, leaf)};
-        goes_on = true;
-        const bool small = (grey_a ? a : b).has_small() && subtree.beside != Beside::connected && left != 0;
-        if (!small || !siblings.stands_with(subtree.copied())) break;
-        siblings.put(static_cast<std::uint32_t>(Colour::grey), subtree.copied());
-        siblings.add_nodes(chosen(subtree.copied(), 1U, 0U));
-        subtree.pass_small(grey_a ? a.bytes() : b.bytes(), chosen(grey_a, a.bit(), b.bit()), siblings);
-        siblings.add_nodes(chosen<std::uint32_t>(subtree.copied(), subtree.nodes, 0));
-        a.pass(chosen(grey_a, subtree.codes, 0U));
-        b.pass(chosen(grey_a, 0U, subtree.codes));
+        goes_on = left == 0 || !subtree.pass(a, b, siblings);
         steps += granted - left + subtree.nodes;
         granted = left = 0;
-        if (subtree.to_come != 0) break;
-        goes_on = false;
-        siblings.put(static_cast<std::uint32_t>(subtree.beside), !subtree.copied());
-        if ((siblings.end_child() && is_over(false)) || !builder_.taken()) break;
+        if (goes_on) break;
+        const bool has_changed = subtree.copied()
+                                     ? siblings.end_child()
+                                     : siblings.leaves(0x5555U * static_cast<unsigned>(subtree.beside));
+        if ((has_changed && end_octants(false)) || !builder_.taken()) break;
         if (steps < most) granted = left = least(most - steps, a.ready(), b.ready());
     }
     siblings.end();
@@ -189,8 +198,9 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
     return steps + (granted - left);
 }
 
-// Whether the walk must stop where octants are complete.
-bool StreamCombination::is_over(bool beside) {
+// Octants are complete: goes on with both operands if they are all of those beside a leaf. Returns whether
+// the walk must stop.
+bool StreamCombination::end_octants(bool beside) {
     if (beside && builder_.level() <= held_level_) way_ = Way::each;
     return builder_.whole() || !builder_.taken() || (beside && way_ == Way::each);
 }

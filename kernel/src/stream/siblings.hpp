@@ -85,10 +85,9 @@ class StreamBuilder::Siblings {
         return true;
     }
 
-    /// Whether the parent stands for good if the next octant is grey, or does already: its code can be put,
-    /// and what is below it.
-    [[gnu::always_inline]] bool stands_with(bool grey) {
-        if (!stands_ && grey) {
+    /// The next octant will be grey: its parent stands for good, unless it has none.
+    [[gnu::always_inline]] bool make_stand() {
+        if (!stands_) {
             builder_.word_ = word_;
             builder_.flush_pending(builder_.level_);
             begin();
@@ -96,16 +95,18 @@ class StreamBuilder::Siblings {
         return stands_;
     }
 
-    /// A code that stands for good, if it stays, and groups of them behind it.
-    [[gnu::always_inline]] void put(std::uint32_t code, bool stays) {
-        builder_.put(word_, chosen<Codes>(stays, code, 0), chosen(stays, 1U, 0U));
+    /// The next octant is grey, if it stays, and groups of codes below it. Its parent stands then.
+    [[gnu::always_inline]] void put_grey(bool stays) {
+        constexpr auto grey = static_cast<Codes>(Colour::grey);
+        nodes_ += chosen(stays, 1U, 0U);
+        builder_.put(word_, chosen(stays, grey, Codes{0}), chosen(stays, 1U, 0U));
     }
     [[gnu::always_inline]] void put_groups(Codes codes, unsigned groups, bool stay) {
         builder_.put_groups(word_, codes, groups, stay);
     }
     [[gnu::always_inline]] void add_nodes(std::uint32_t nodes) { nodes_ += nodes; }
 
-    /// The next octant is complete, all of its codes put; its parent stands. False as by leaves.
+    /// The next octant is complete: all of its codes have been put. False as by leaves.
     [[gnu::always_inline]] bool end_child() {
         if (++*complete_ != 8) return false;
         builder_.word_ = word_;

@@ -83,12 +83,11 @@ std::uint64_t StreamCombination::cells_before_fault() const {
 
 bool StreamCombination::step(std::uint32_t octants) {
     while (in_progress()) {
-        if (checked_) {
+        if (checked_ ||
+            (way_ != Way::each && way_ != Way::beside)) { // many at a time, the last of them whole
             if (octants == 0) return true;
-            octants -= step_checked(octants);
-        } else if (way_ != Way::each && way_ != Way::beside) {
-            if (octants == 0) return true;
-            octants -= pass(octants);
+            const std::uint32_t steps = checked_ ? step_checked(octants) : pass(octants);
+            octants -= steps < octants ? steps : octants;
         } else if (!(way_ == Way::each ? visit(octants != 0) : visit_beside(octants != 0))) {
             arrive();
         } else {
@@ -196,7 +195,7 @@ std::uint32_t StreamCombination::pass(std::uint32_t most) {
         if (over && !checked_) advance();
         fail(Status::sink_refused, 0, 0);
     }
-    return passage.nodes < most ? passage.nodes : most;
+    return passage.nodes;
 }
 
 // Behind what went by as a whole.
