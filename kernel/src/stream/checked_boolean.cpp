@@ -44,10 +44,9 @@ class StreamCombination::CheckedWalk {
 
     [[gnu::always_inline]] Codes codes() const { return codes_at(bytes_, bit_); }
 
-    /// Octants that may be taken until it must be asked again: each has nine codes at most.
-    [[gnu::always_inline]] std::uint32_t ready() const {
-        return bit_ < limit_ ? (limit_ - bit_ - 1) / 32 + 1 : 0;
-    }
+    /// Octants that may be taken until it must be asked again: each has nine codes at most, so before the
+    /// last of them there are some. Precondition: now there are.
+    [[gnu::always_inline]] std::uint32_t ready() const { return (limit_ - bit_ - 1) / 32 + 1; }
 
     /// Whether all that is looked at of a small subtree is there: the last look is at fewer than small_codes
     /// codes from here, and goes on for as many as a register holds.
@@ -99,8 +98,8 @@ struct StreamCombination::Subtree {
 
     // What is there of it goes by if it is small, or its beginning. Returns whether that was all.
     [[gnu::always_inline]] bool pass(CheckedWalk& a, CheckedWalk& b, StreamBuilder::Siblings& siblings) {
-        const bool there = beside != Beside::connected && (grey_a ? a : b).has_small();
-        if (!there || (copied() && !siblings.make_stand())) return false;
+        if (beside == Beside::connected || !(grey_a ? a : b).has_small()) return false;
+        if (copied()) siblings.make_stand();
         siblings.put_grey(copied());
         pass_groups(grey_a ? a.bytes() : b.bytes(), chosen(grey_a, a.bit(), b.bit()), siblings);
         siblings.add_nodes(chosen<std::uint32_t>(copied(), nodes, 0));
@@ -181,6 +180,7 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
         const bool grey_a = is_grey(greys_a);
         const auto leaf = static_cast<unsigned>(chosen(grey_a, next_b, next_a) & 3U);
         subtree = {grey_a, leaf, beside_leaf(op, !grey_a, leaf)};
+        // A root beside a leaf is always the former: the leaf's stream has one code.
         goes_on = left == 0 || !subtree.pass(a, b, siblings);
         steps += granted - left + subtree.nodes;
         granted = left = 0;

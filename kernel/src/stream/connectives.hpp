@@ -38,10 +38,7 @@ enum class Beside : std::uint8_t {
     inverted = 5
 };
 
-constexpr bool is_leaf(Beside beside) {
-    return static_cast<unsigned>(beside) < 4 && beside != Beside::connected;
-}
-
+// unreachable: at run time, as the compiler makes the table.
 constexpr Beside plain_beside(Operator op, bool leaf_is_a, Colour colour) {
     constexpr std::uint32_t each_leaf = 0b110100;
     constexpr std::uint32_t each_complement = 0b000111;
@@ -55,6 +52,7 @@ constexpr Beside plain_beside(Operator op, bool leaf_is_a, Colour colour) {
 
 /// The same, looked up.
 struct BesideTable {
+    // unreachable: at run time, as the compiler asks.
     constexpr BesideTable() {
         for (unsigned at = 0; at < sizeof of / sizeof *of; ++at) {
             of[at] =

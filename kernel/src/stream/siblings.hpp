@@ -85,14 +85,12 @@ class StreamBuilder::Siblings {
         return true;
     }
 
-    /// The next octant will be grey: its parent stands for good, unless it has none.
-    [[gnu::always_inline]] bool make_stand() {
-        if (!stands_) {
-            builder_.word_ = word_;
-            builder_.flush_pending(builder_.level_);
-            begin();
-        }
-        return stands_;
+    /// The next octant will be grey: its parent stands for good. Precondition: it is not the root.
+    [[gnu::always_inline]] void make_stand() {
+        if (stands_) return;
+        builder_.word_ = word_;
+        builder_.flush_pending(builder_.level_);
+        begin();
     }
 
     /// The next octant is grey, if it stays, and groups of codes below it. Its parent stands then.

@@ -176,6 +176,7 @@ void StreamBuilder::end_child() {
 void StreamBuilder::put(Codes codes, unsigned count) { put(word_, codes, count); }
 
 // A word is full.
+// unreachable: where registers are wide, as bytes go out there; every 32-bit target runs it.
 void StreamBuilder::end_word(Codes full) {
     if (!writing_) return;
     put_word(buffer_ + filled_, full);
