@@ -197,6 +197,8 @@ MUTATIONS = [
     ("stream/checked_subtree.cpp", "passage.nodes += codes / 8 + ", "passage.nodes += codes / 4 + ", "nodes that an index passes"),
     ("stream/checked_subtree.cpp", "loaded_ = byte_of(at_);", "loaded_ = byte_of(0);", "what is left out is read"),
     ("stream/subtree_index.cpp", "if (count != 0) take_leaves(1);", "", "the last code is not to come"),
+    ("stream/checked_subtree.cpp", "jump(behind, most - passage.nodes", "jump(behind, most", "a jump of more than is left of a step"),
+    ("stream/checked_subtree.cpp", "(jumps && !read) || is_ready()", "is_ready()", "what an index leads over is read"),
     ("stream/checked_boolean.cpp", "    } else if (builder_.whole()) {", "    }\n    if (builder_.whole()) {", "the end behind a refusal"),
     ("stream/checked_boolean.cpp", " || !builder_.taken()) break;", ") break;", "a walk that goes on behind a refusal"),
     ("stream/checked_boolean.cpp", "if (goes_on) begin_beside(subtree);", "", "a subtree goes on that has not begun"),

@@ -449,26 +449,28 @@ TEST(StreamSubtree, DeepestLevelsAreCheckedAsByTheReader) {
     }
 }
 
+// Beside a leaf all of a tree goes by. A pass begins and ends with a step that may be short.
 TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
     std::mt19937 random(11);
     StreamCombination job;
+    const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
     for (int round = 0; round < 8; ++round) {
-        const Part part = bushy_part(6, two_colours, random);
+        const Part part = grey_part(6, 12, two_colours, random);
         const Bytes bytes = Sample{part, 6}.bytes();
-        ASSERT_GT(bytes.size(), 500U);
-        const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
+        ASSERT_GT(bytes.size(), 4000U);
         const std::vector<Colour> colours = colours_of(part);
         const auto nodes = static_cast<std::size_t>(std::count(colours.begin(), colours.end(), Colour::grey));
-        for (const std::uint32_t octants : {1U, 2U, 3U, 7U}) {
-            for (unsigned way = 0; way < 6; ++way) {
-                const Place from(bytes, all_known[way % 3], way / 3 != 0);
+        for (const std::uint32_t octants : {1U, 2U, 3U, 7U, 95U, 255U, 1023U}) {
+            for (unsigned way = 0; way < 12; ++way) {
+                const Place from(bytes, all_known[way % 3], way / 3 % 2 != 0);
                 Bytes result;
-                ASSERT_EQ(job.begin(Operator::unite, from.source, source_of(leaf), Sink{append, &result}),
+                ASSERT_EQ(job.begin(Operator::unite, from.source, source_of(leaf, way / 6 != 0),
+                                    Sink{append, &result}),
                           Status::ok);
                 std::size_t steps = 1;
                 while (job.step(octants)) ++steps;
                 const unsigned at_once = way % 3 == 0 ? 0 : way % 3 == 1 ? 31 : 50;
-                EXPECT_GE(steps * (octants + at_once), 2 * nodes) << way;
+                EXPECT_GE(steps * (octants + at_once), 2 * nodes) << octants << ", way " << way;
                 EXPECT_EQ(result, bytes) << way;
             }
         }
@@ -595,6 +597,26 @@ TEST(StreamSubtree, AnIndexSavesReads) {
         } else {
             EXPECT_LT(source.reads, 130U); // two a child that goes by
         }
+    }
+}
+
+// Whatever is passed: the rest of what is looked at first, and the blocks before and behind its end.
+TEST(StreamSubtree, ASkipByAnIndexReadsThreeTimesAtMost) {
+    std::mt19937 random(17);
+    for (int round = 0; round < 6; ++round) {
+        const Bytes bytes = Sample{grey_part(6, 7, two_colours, random), 6}.bytes();
+        Place from(bytes, Known::indexed, true);
+        StreamCursor cursor;
+        std::size_t skips = 0;
+        for (cursor.begin(from.source); !cursor.done(); cursor.next()) {
+            StreamCursor skipping = cursor;
+            from.reader.reads = 0;
+            skips += cursor.colour() == Colour::grey ? 1U : 0U;
+            skipping.skip();
+            ASSERT_EQ(skipping.status(), Status::ok);
+            ASSERT_LE(from.reader.reads, skipping.done() ? 4U : 3U) << "the trailer is read by itself";
+        }
+        EXPECT_GT(skips, 100U);
     }
 }
 

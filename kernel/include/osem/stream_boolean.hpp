@@ -11,6 +11,8 @@
 
 namespace osem {
 
+enum class Beside : std::uint8_t;
+
 /// Outcome of a Boolean on streams.
 struct StreamCombinationOutcome {
     Status status;
@@ -39,7 +41,7 @@ class StreamCombination {
     /// that goes by as a whole beside a leaf only the grey ones count. False when nothing is left. In all at
     /// most the octants of both operands, in each pass. An octant costs O(1) and at times a read of at most
     /// 64 bytes or a write of at most 64, or 512 where registers are wide. Of a checked operand's grey
-    /// octants up to 36 go by at once, so at times 35 more than asked for; of an indexed one's up to 50.
+    /// octants up to 48 go by at once, so at times 46 more than asked for; of an indexed one's up to 50.
     bool step(std::uint32_t octants);
 
     /// Exact progress: each of two passes decides half of the root's volume (2^60 cells), a single one all of
@@ -76,11 +78,11 @@ class StreamCombination {
     std::uint32_t beside(std::uint32_t codes) const;
     std::uint32_t step_checked(std::uint32_t most);
     std::uint32_t visit_checked(std::uint32_t most);
-    bool end_octants(bool beside);
+    bool end_octants(bool below);
     void begin_beside(const Subtree& subtree);
     void end_checked();
     void begin_below();
-    void choose_way();
+    void choose_way(Beside becomes);
     std::uint32_t pass(std::uint32_t most);
     void end_below();
     void arrive();

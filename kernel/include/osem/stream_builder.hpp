@@ -81,7 +81,7 @@ class StreamBuilder {
     void close_full();
     void put(RegisterWord codes, unsigned count);
     inline void put(Word& word, RegisterWord codes, unsigned count);
-    inline void put_groups(Word& word, RegisterWord codes, unsigned groups, bool stay);
+    inline void put_groups(Word& word, RegisterWord codes, unsigned groups, bool stays);
     void end_word(RegisterWord full);
     void write_piece();
     void write(const std::uint8_t* bytes, std::size_t count);
@@ -100,7 +100,7 @@ class StreamBuilder {
     bool taken_ = true;
     bool whole_ = false;
     std::uint8_t children_[max_depth] = {}; ///< complete children of each open octant
-    /// A word may begin before a piece's end, and a unit behind it is looked at.
+    /// A word may begin before a piece's end, and one behind the last copied byte is looked at.
     std::uint8_t buffer_[piece_size + (has_wide_registers ? 2 : 1) * sizeof(RegisterWord)] = {};
 };
 

@@ -48,9 +48,9 @@ class StreamCombination::CheckedWalk {
     /// last of them there are some. Precondition: now there are.
     [[gnu::always_inline]] std::uint32_t ready() const { return (limit_ - bit_ - 1) / 32 + 1; }
 
-    /// Whether all that is looked at of a small subtree is there: the last look is at fewer than small_codes
-    /// codes from here, and goes on for as many as a register holds.
-    [[gnu::always_inline]] bool has_small() const { return limit_ > bit_ + 2 * (small_codes + codes_count); }
+    /// Whether all that is looked at of a small subtree is there: as long as it does not end, all codes of a
+    /// look are taken, so the last look is at fewer than small_codes codes from here.
+    [[gnu::always_inline]] bool has_small() const { return limit_ > bit_ + 2 * small_codes; }
 
     /// Takes an octant's code.
     [[gnu::always_inline]] void take() { bit_ += step_; }
@@ -89,16 +89,16 @@ class StreamCombination::CheckedWalk {
 struct StreamCombination::Subtree {
     bool grey_a;
     unsigned leaf; // its code
-    Beside beside;
+    Beside becomes;
     unsigned codes = 0;        // that have gone by
     std::uint32_t nodes = 0;   // of them
     std::uint32_t to_come = 1; // groups
 
-    bool copied() const { return beside >= Beside::copied; }
+    bool copied() const { return becomes >= Beside::copied; }
 
     // What is there of it goes by if it is small, or its beginning. Returns whether that was all.
     [[gnu::always_inline]] bool pass(CheckedWalk& a, CheckedWalk& b, StreamBuilder::Siblings& siblings) {
-        if (beside == Beside::connected || !(grey_a ? a : b).has_small()) return false;
+        if (becomes == Beside::connected || !(grey_a ? a : b).has_small()) return false;
         if (copied()) siblings.make_stand();
         siblings.put_grey(copied());
         pass_groups(grey_a ? a.bytes() : b.bytes(), chosen(grey_a, a.bit(), b.bit()), siblings);
@@ -113,7 +113,7 @@ struct StreamCombination::Subtree {
                                             StreamBuilder::Siblings& siblings) {
         const std::uint8_t* from = bytes + bit / 8;
         const bool copies = copied();
-        const bool inverts = beside == Beside::inverted;
+        const bool inverts = becomes == Beside::inverted;
         do {
             const Codes next = all_codes_at(from, bit % 8);
             const CodeGroups groups(next);
@@ -143,9 +143,9 @@ std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
 
 // Visits the octants that come next in both operands, or in the one that goes on below a leaf of the other.
 std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
-    const bool beside = way_ == Way::beside;
-    const bool holds_a = beside && held_ == Held::a;
-    const bool holds_b = beside && held_ == Held::b;
+    const bool below = way_ == Way::beside; // one operand goes on, below the level of a leaf of the other
+    const bool holds_a = below && held_ == Held::a;
+    const bool holds_b = below && held_ == Held::b;
     if ((!holds_a && !a_.is_ready()) || (!holds_b && !b_.is_ready())) {
         if (check(a_, 0)) check(b_, 1);
         return 1;
@@ -168,12 +168,12 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
         if (are_known(greys_a, greys_b)) {
             const std::uint32_t next =
                 connected(op, a.take_known(next_a, greys_a), b.take_known(next_b, greys_b));
-            if (siblings.leaves(next) && end_octants(beside)) break;
+            if (siblings.leaves(next) && end_octants(below)) break;
             continue;
         }
         a.take();
         b.take();
-        if (beside || is_grey(greys_a & greys_b)) {
+        if (below || is_grey(greys_a & greys_b)) {
             siblings.open();
             continue;
         }
@@ -187,7 +187,7 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
         if (goes_on) break;
         const bool has_changed = subtree.copied()
                                      ? siblings.end_child()
-                                     : siblings.leaves(0x5555U * static_cast<unsigned>(subtree.beside));
+                                     : siblings.leaves(0x5555U * static_cast<unsigned>(subtree.becomes));
         if ((has_changed && end_octants(false)) || !builder_.taken()) break;
         if (steps < most) granted = left = least(most - steps, a.ready(), b.ready());
     }
@@ -200,9 +200,9 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
 
 // Octants are complete: goes on with both operands if they are all of those beside a leaf. Returns whether
 // the walk must stop.
-bool StreamCombination::end_octants(bool beside) {
-    if (beside && builder_.level() <= held_level_) way_ = Way::each;
-    return builder_.whole() || !builder_.taken() || (beside && way_ == Way::each);
+bool StreamCombination::end_octants(bool below) {
+    if (below && builder_.level() <= held_level_) way_ = Way::each;
+    return builder_.whole() || !builder_.taken() || (below && way_ == Way::each);
 }
 
 // What has not gone by of a subtree goes on by itself.
@@ -211,7 +211,7 @@ void StreamCombination::begin_beside(const Subtree& subtree) {
     (subtree.grey_a ? b_ : a_).colour_ = static_cast<Colour>(subtree.leaf);
     held_level_ = static_cast<std::uint8_t>(builder_.level());
     if (subtree.codes == 0) return begin_below();
-    choose_way();
+    choose_way(subtree.becomes);
     (subtree.grey_a ? a_ : b_).to_come_ = subtree.to_come;
 }
 

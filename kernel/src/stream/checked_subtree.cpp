@@ -55,24 +55,26 @@ std::uint32_t take_groups(const std::uint8_t* bytes, unsigned& at, unsigned limi
 // grey octants; by one or to the end of that octant in any case. By turns what is in the buffer is looked at
 // and an index, if there is one, leads on. `behind` octants are to come behind the subtree.
 StreamCursor::Passage StreamCursor::pass_checked(std::uint32_t most, bool read, std::uint32_t behind) {
-    const bool ready = is_ready();
-    Passage passage = {bytes(), at_, 0, 0};
-    if (!ready) return passage;
     const bool jumps = may_jump(read);
     // Most subtrees that are read end before an index need be looked at.
-    for (bool looks = !jumps || (read && to_come_ == 0);; looks = !looks) {
+    bool looks = !jumps || (read && to_come_ == 0);
+    const bool ready = (jumps && !read) || is_ready(); // what an index leads over need not be read
+    Passage passage = {bytes(), at_, 0, 0};
+    if (!ready) return passage;
+    for (;; looks = !looks) {
         if (looks) {
+            if (!is_ready()) return passage;
             const unsigned from = at_;
             const unsigned limit = jumps && limit_ - at_ > looked_at ? at_ + looked_at : limit_;
             passage.nodes += take_groups(bytes(), at_, limit, most - passage.nodes, to_come_);
             passage.codes += at_ - from;
-            if (!jumps || to_come_ == 0) return passage;
+            if (!jumps || to_come_ == 0 || at_ >= limit_) return passage;
         } else {
-            jump(behind, most, passage);
+            jump(behind, most - passage.nodes, passage);
             if (done_) return passage;
         }
         // What has been loaded since is no longer behind that in memory.
-        if (at_ >= limit_ || bytes() != passage.bytes || passage.nodes >= most) return passage;
+        if (bytes() != passage.bytes || passage.nodes >= most) return passage;
     }
 }
 

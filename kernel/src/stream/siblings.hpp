@@ -8,7 +8,7 @@
 
 namespace osem {
 
-/// Codes that a word holds behind those of a unit; or none.
+/// At most 28 codes where registers are wide, else 15; or none.
 [[gnu::always_inline]] inline void StreamBuilder::put(Word& word, Codes codes, unsigned count) {
     word.bits |= codes << word.used;
     word.used += 2 * count;
@@ -27,14 +27,14 @@ namespace osem {
 
 /// Groups of eight codes, from one to as many as a word holds, if they stay.
 [[gnu::always_inline]] inline void StreamBuilder::put_groups(Word& word, Codes codes, unsigned groups,
-                                                             bool stay) {
+                                                             bool stays) {
     if constexpr (has_wide_registers) {
         put_word(buffer_ + filled_, word.bits | codes << word.used);
-        filled_ += chosen(stay, 2 * groups, 0U);
+        filled_ += chosen(stays, 2 * groups, 0U);
         const Codes begun = codes >> 1 >> (16 * groups - 1 - word.used) & ((Codes{1} << word.used) - 1);
-        word.bits = chosen(stay, begun, word.bits);
+        word.bits = chosen(stays, begun, word.bits);
         if (filled_ >= piece_size) write_piece();
-    } else if (!stay) {
+    } else if (!stays) {
         return;
     } else if (groups != CodeGroups::count) {
         put(word, codes & ((Codes{1} << (16 * groups)) - 1), 8 * groups);
@@ -99,8 +99,8 @@ class StreamBuilder::Siblings {
         nodes_ += chosen(stays, 1U, 0U);
         builder_.put(word_, chosen(stays, grey, Codes{0}), chosen(stays, 1U, 0U));
     }
-    [[gnu::always_inline]] void put_groups(Codes codes, unsigned groups, bool stay) {
-        builder_.put_groups(word_, codes, groups, stay);
+    [[gnu::always_inline]] void put_groups(Codes codes, unsigned groups, bool stays) {
+        builder_.put_groups(word_, codes, groups, stays);
     }
     [[gnu::always_inline]] void add_nodes(std::uint32_t nodes) { nodes_ += nodes; }
 

@@ -156,7 +156,8 @@ std::uint32_t StreamCombination::beside(std::uint32_t codes) const {
 
 // What is done below a grey octant beside a leaf of the held operand.
 void StreamCombination::begin_below() {
-    choose_way();
+    const bool is_a = held_ == Held::a;
+    choose_way(beside_leaf(op_, is_a, static_cast<unsigned>(is_a ? a_.colour_ : b_.colour_)));
     if (way_ == Way::beside) {
         builder_.open();
     } else if (way_ != Way::skipped) {
@@ -164,14 +165,12 @@ void StreamCombination::begin_below() {
     }
 }
 
-void StreamCombination::choose_way() {
-    const bool is_a = held_ == Held::a;
-    const Beside beside = beside_leaf(op_, is_a, static_cast<unsigned>(is_a ? a_.colour_ : b_.colour_));
-    colour_ = static_cast<Colour>(static_cast<unsigned>(beside) & 3U);
-    way_ = beside == Beside::copied      ? Way::copied
-           : beside == Beside::inverted  ? Way::inverted
-           : beside == Beside::connected ? Way::beside
-                                         : Way::skipped;
+void StreamCombination::choose_way(Beside becomes) {
+    colour_ = static_cast<Colour>(static_cast<unsigned>(becomes) & 3U);
+    way_ = becomes == Beside::copied      ? Way::copied
+           : becomes == Beside::inverted  ? Way::inverted
+           : becomes == Beside::connected ? Way::beside
+                                          : Way::skipped;
 }
 
 // Goes on below a grey octant beside a leaf, where none of its parts need be looked at by itself. Returns the
