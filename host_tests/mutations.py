@@ -210,7 +210,7 @@ MUTATIONS = [
     ("stream/siblings.hpp", "nodes_ += chosen(alike, 0U, 1U);", "", "nodes that the builder does not know of"),
     ("stream/siblings.hpp", "        stands_ = false;\n", "", "a parent that does not stand yet"),
     ("stream/siblings.hpp", "codes >> 1 >> (16 * groups - 1 - word.used)", "codes >> (16 * groups - 1 - word.used)", "the next byte behind groups"),
-    ("stream/siblings.hpp", "chosen(stay, 2 * groups, 0U)", "2 * groups", "what is left out is put"),
+    ("stream/siblings.hpp", "chosen(stays, 2 * groups, 0U)", "2 * groups", "what is left out is put"),
     ("stream/siblings.hpp", "nodes_ += chosen(stays, 1U, 0U);", "", "a grey octant is not counted"),
     ("stream/stream_builder.cpp", "filled_ -= count;", "filled_ = 0;", "what is behind a piece is lost"),
     ("stream/stream_builder.cpp", "codes_at(buffer_ + piece_size, 0)", "0", "what is behind a piece is cleared"),
