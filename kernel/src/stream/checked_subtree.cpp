@@ -58,7 +58,9 @@ StreamCursor::Passage StreamCursor::pass_checked(std::uint32_t most, bool read, 
     const bool jumps = may_jump(read);
     // Most subtrees that are read end before an index need be looked at.
     bool looks = !jumps || (read && to_come_ == 0);
-    const bool ready = (jumps && !read) || is_ready(); // what an index leads over need not be read
+    // What an index leads over need not be loaded.
+    // unreachable: that what is read is not ready where an index leads on, as it lies in memory then.
+    const bool ready = (jumps && !read) || is_ready();
     Passage passage = {bytes(), at_, 0, 0};
     if (!ready) return passage;
     for (;; looks = !looks) {
