@@ -42,6 +42,9 @@ class StreamCombination::CheckedWalk {
         put_word(held_, static_cast<Codes>(cursor.colour_) * static_cast<Codes>(0x5555555555555555U));
     }
 
+    CheckedWalk(const CheckedWalk&) = delete; // it points into itself
+    CheckedWalk& operator=(const CheckedWalk&) = delete;
+
     [[gnu::always_inline]] Codes codes() const { return codes_at(bytes_, bit_); }
 
     /// Octants that may be taken until it must be asked again: each has nine codes at most, so before the
@@ -73,9 +76,6 @@ class StreamCombination::CheckedWalk {
     }
 
   private:
-    CheckedWalk(const CheckedWalk&) = delete; // it points into itself
-    CheckedWalk& operator=(const CheckedWalk&) = delete;
-
     StreamCursor& cursor_;
     const std::uint8_t* bytes_;
     unsigned bit_;
