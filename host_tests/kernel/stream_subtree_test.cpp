@@ -8,11 +8,8 @@
 #include <memory>
 #include <random>
 
-#include "osem/stream_cursor.hpp"
-#include "osem/stream_query.hpp"
-#include "support/byte_stream.hpp"
+#include "support/stream_samples.hpp"
 #include "support/stream_sink.hpp"
-#include "support/stream_source.hpp"
 
 namespace osem::tests {
 
@@ -21,96 +18,11 @@ namespace {
 constexpr Operator all_operators[] = {Operator::unite, Operator::intersect, Operator::subtract,
                                       Operator::exclusive_or};
 
-// An octant: a leaf, or grey with eight children. Never eight equal leaves.
-struct Part {
-    Colour colour = Colour::white;
-    std::vector<Part> children;
-};
-
-Part joined(std::vector<Part> children) {
-    const Colour first = children.front().colour;
-    const bool one_leaf =
-        first != Colour::grey && std::all_of(children.begin(), children.end(),
-                                             [first](const Part& child) { return child.colour == first; });
-    if (one_leaf) return {first, {}};
-    return {Colour::grey, std::move(children)};
-}
-
-// Each octant is grey with a chance of `grey` in 16; thin trees reach deep, dense ones are full of leaf
-// groups.
-Part random_part(int levels, unsigned grey, const std::vector<Colour>& palette, std::mt19937& random) {
-    if (levels == 0 || random() % 16 >= grey) return {palette[random() % palette.size()], {}};
-    std::vector<Part> children;
-    for (unsigned k = 0; k < 8; ++k) children.push_back(random_part(levels - 1, grey, palette, random));
-    return joined(std::move(children));
-}
-
-// One that is grey, mostly.
-Part grey_part(int levels, unsigned grey, const std::vector<Colour>& palette, std::mt19937& random) {
-    std::vector<Part> children;
-    for (unsigned k = 0; k < 8; ++k) children.push_back(random_part(levels - 1, grey, palette, random));
-    return joined(std::move(children));
-}
-
-Part combined(Operator op, const Part& a, const Part& b) {
-    if (a.children.empty() && b.children.empty()) return {combine_colours(op, a.colour, b.colour), {}};
-    std::vector<Part> children;
-    for (std::size_t k = 0; k < 8; ++k) {
-        children.push_back(
-            combined(op, a.children.empty() ? a : a.children[k], b.children.empty() ? b : b.children[k]));
-    }
-    return joined(std::move(children));
-}
-
-void append_colours(std::vector<Colour>& colours, const Part& part) {
-    colours.push_back(part.colour);
-    for (const Part& child : part.children) append_colours(colours, child);
-}
-
-std::vector<Colour> colours_of(const Part& part) {
-    std::vector<Colour> colours;
-    append_colours(colours, part);
-    return colours;
-}
-
-struct Sample {
-    Part part;
-    int depth;
-
-    Bytes bytes() const { return StreamModel(depth, colours_of(part)).bytes(); }
-};
-
-// Of every depth and of two or three colours; dense ones are flat.
-Sample sample_of(std::uint32_t seed) {
-    std::mt19937 random(seed);
-    const int depth = 1 + static_cast<int>(random() % max_depth);
-    const unsigned grey = depth > 7 ? 2 : 3 + static_cast<unsigned>(random() % (depth > 4 ? 3 : 10));
-    return {grey_part(depth, grey, random() % 2 == 0 ? two_colours : three_colours, random), depth};
-}
-
 bool append(void* context, const std::uint8_t* bytes, std::size_t count) {
     auto& all = *static_cast<Bytes*>(context);
     all.insert(all.end(), bytes, bytes + count);
     return true;
 }
-
-// A stream that lies in memory, or one that must be read.
-struct Place {
-    Place(const Bytes& bytes, Known known, bool read)
-        : exact(bytes), index(known == Known::indexed ? index_of(bytes) : Bytes()), reader(bytes) {
-        reader.checked = known != Known::nothing;
-        reader.index = index.empty() ? nullptr : index.data();
-        source = read ? reader.source() : source_of(exact, reader.checked);
-        source.index = reader.index;
-    }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-
-    Bytes exact; // no memory behind its last byte, so that a sanitizer sees what is read there
-    Bytes index;
-    TestSource reader;
-    Source source;
-};
 
 TEST(StreamSubtree, UnevenTreesByEveryOperator) {
     StreamCombination job;
@@ -158,34 +70,6 @@ TEST(StreamSubtree, ALargeTreeBesideALeaf) {
         ASSERT_EQ(combine(job, Operator::unite, from.source, beside.source, Sink{append, &result}).status,
                   Status::ok);
         EXPECT_EQ(result, bytes) << way;
-    }
-}
-
-// An index leads to the last block, which may begin with the payload's last byte: what is copied before it is
-// looked at beyond its last code, but not beyond the stream. The result lies at other bits than the operand.
-TEST(StreamSubtree, AnIndexLeadsNoFurtherThanTheStream) {
-    std::mt19937 random(16);
-    StreamCombination job;
-    std::size_t full = 0;
-    for (int round = 0; round < 400 || full < 20; ++round) {
-        const Part part = grey_part(4 + round % 2, 5, two_colours, random);
-        const Bytes bytes = Sample{part, 5}.bytes();
-        if (part.children.empty()) continue;
-        const std::size_t payload = bytes.size() - stream_header_size - stream_trailer_size;
-        full += payload % 64 == 1 && payload > 200 ? 1U : 0U;
-        for (std::size_t removed = 0; removed < 8; ++removed) {
-            std::vector<Part> children(8, Part{Colour::white, {}});
-            children[removed].colour = Colour::black;
-            const Part beside = {Colour::grey, children};
-            const Bytes expected = Sample{combined(Operator::unite, part, beside), 5}.bytes();
-            const Place from(bytes, Known::indexed, false);
-            const Bytes beside_bytes = Sample{beside, 1}.bytes();
-            const Place other(beside_bytes, Known::checked, false);
-            Bytes result;
-            ASSERT_EQ(combine(job, Operator::unite, from.source, other.source, Sink{append, &result}).status,
-                      Status::ok);
-            ASSERT_EQ(result, expected) << round;
-        }
     }
 }
 
@@ -390,65 +274,6 @@ TEST(StreamSubtree, EightEqualLeavesInAnyPlace) {
     }
 }
 
-// An octant of `levels` levels with at least one grey octant at each but the last, and at the two above that
-// any number of grey children in any places.
-Part bushy_part(int levels, const std::vector<Colour>& palette, std::mt19937& random) {
-    std::vector<Part> children;
-    const std::size_t greys = random() % 9;
-    const std::size_t chosen = random() % 8;
-    for (std::size_t k = 0; k < 8; ++k) {
-        const bool grey = levels > 2 ? random() % 8 < 3 || k == chosen : (k * 5 + chosen) % 8 < greys;
-        children.push_back(levels > 1 && grey ? bushy_part(levels - 1, palette, random)
-                                              : Part{palette[random() % palette.size()], {}});
-    }
-    Part part = joined(std::move(children));
-    return part.colour == Colour::grey ? part : bushy_part(levels, palette, random);
-}
-
-// Skipping the root and what the reader finds octant by octant.
-void expect_skip_like_reader(StreamReader& reader, const StreamModel& model, const std::string& what) {
-    const Bytes bytes = model.bytes();
-    const StreamOutcome expected = read_stream(reader, bytes, nullptr);
-    StreamCursor cursor;
-    if (cursor.begin(source_of(bytes)) == Status::ok) cursor.skip();
-    ASSERT_TRUE(cursor.done()) << what;
-    ASSERT_EQ(cursor.status(), expected.built.status) << what;
-    ASSERT_EQ(cursor.offset(), expected.offset) << what;
-}
-
-// As deep as the header says, less deep, and deeper; with every code changed into each other one, and the
-// eight behind it into equal ones.
-TEST(StreamSubtree, DeepestLevelsAreCheckedAsByTheReader) {
-    StreamReader reader;
-    std::mt19937 random(9);
-    for (int round = 0; round < 8; ++round) {
-        const int depth = 2 + round % 4;
-        const std::vector<Colour> colours =
-            colours_of(bushy_part(depth, round % 2 == 0 ? two_colours : three_colours, random));
-        for (const int stated : {depth - 1, depth, depth + 1, depth + 2}) {
-            const StreamModel whole(stated, colours);
-            expect_skip_like_reader(reader, whole, "depth " + std::to_string(stated));
-            for (std::size_t at = 0; at < colours.size(); ++at) {
-                for (unsigned change = 1; change < 4; ++change) {
-                    StreamModel model = whole;
-                    const unsigned changed = model.payload[at / 4] ^ change << (2 * (at % 4));
-                    model.payload[at / 4] = static_cast<std::uint8_t>(changed);
-                    expect_skip_like_reader(reader, model,
-                                            "depth " + std::to_string(stated) + ", octant " +
-                                                std::to_string(at) + ", change " + std::to_string(change));
-                }
-                for (std::size_t k = 0; k < 3 && at + 8 < colours.size(); ++k) {
-                    std::vector<Colour> changed = colours;
-                    std::fill_n(changed.begin() + static_cast<std::ptrdiff_t>(at) + 1, 8, three_colours[k]);
-                    StreamModel model(stated, changed);
-                    model.nodes = whole.nodes;
-                    expect_skip_like_reader(reader, model, "equal ones behind " + std::to_string(at));
-                }
-            }
-        }
-    }
-}
-
 // Beside a leaf all of a tree goes by. A pass begins and ends with a step that may be short.
 TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
     std::mt19937 random(11);
@@ -472,174 +297,6 @@ TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
                 const unsigned at_once = way % 3 == 0 ? 0 : way % 3 == 1 ? 31 : 50;
                 EXPECT_GE(steps * (octants + at_once), 2 * nodes) << octants << ", way " << way;
                 EXPECT_EQ(result, bytes) << way;
-            }
-        }
-    }
-}
-
-// From every octant, so from every place in a byte and in a buffer.
-TEST(StreamSubtree, SkippingLeadsBehindTheSubtree) {
-    std::mt19937 random(10);
-    for (int round = 0; round < 12; ++round) {
-        const int depth = 2 + round % 4;
-        const Bytes bytes = Sample{bushy_part(depth, three_colours, random), depth}.bytes();
-        const Place from(bytes, all_known[round % 3], round / 3 % 2 != 0);
-        std::vector<StreamCursor> places(1);
-        for (places[0].begin(from.source); !places.back().done();) {
-            places.push_back(places.back());
-            places.back().next();
-        }
-        ASSERT_EQ(places.back().status(), Status::ok);
-        for (std::size_t at = 0; at + 1 < places.size(); ++at) {
-            std::size_t behind = at + 1;
-            while (!places[behind].done() && places[behind].level() > places[at].level()) ++behind;
-            StreamCursor cursor = places[at];
-            const StreamCursor& itself = cursor;
-            cursor = itself;
-            cursor.skip();
-            ASSERT_EQ(cursor.done(), places[behind].done()) << at;
-            ASSERT_EQ(cursor.status(), Status::ok) << at;
-            ASSERT_EQ(cursor.offset(), places[behind].offset()) << at;
-            if (cursor.done()) continue;
-            ASSERT_EQ(cursor.level(), places[behind].level()) << at;
-            ASSERT_EQ(cursor.octant().corner, places[behind].octant().corner) << at;
-        }
-    }
-}
-
-// What is to come, octant by octant.
-Bytes plain_index(const std::vector<Colour>& colours) {
-    constexpr std::size_t block = 256; // octants
-    Bytes index;
-    unsigned to_come = 1;
-    for (std::size_t first = 0; first < colours.size(); first += block) {
-        const unsigned before = to_come;
-        unsigned least = to_come;
-        for (std::size_t at = first; at < std::min(first + block, colours.size()); ++at) {
-            to_come += colours[at] == Colour::grey ? 7U : ~0U;
-            least = std::min(least, to_come);
-        }
-        index.push_back(static_cast<std::uint8_t>(before));
-        index.push_back(static_cast<std::uint8_t>(least));
-    }
-    return index;
-}
-
-TEST(StreamSubtree, AnIndexSaysWhatIsToCome) {
-    std::size_t most = 0;
-    for (std::uint32_t seed = 0; seed < 300; ++seed) {
-        const Sample sample = sample_of(seed);
-        const Bytes bytes = sample.bytes();
-        const Bytes expected = plain_index(colours_of(sample.part));
-        ASSERT_EQ(index_of(bytes), expected) << seed;
-        most = std::max(most, expected.size());
-        Bytes index(expected.size() - 1);
-        EXPECT_EQ(check_stream(source_of(bytes), index.data(), index.size()).status,
-                  Status::scratch_too_small);
-        EXPECT_TRUE(std::all_of(index.begin(), index.end(), [](std::uint8_t byte) { return byte == 0; }));
-    }
-    EXPECT_GT(most, 40U);
-}
-
-// The fault is that which is found without an index; then there is none.
-TEST(StreamSubtree, DamagedStreamsHaveNoIndex) {
-    std::mt19937 random(13);
-    const Bytes whole = Sample{grey_part(4, 10, three_colours, random), 4}.bytes();
-    for (std::size_t size = 0; size < whole.size() + 2; ++size) {
-        Bytes bytes = whole;
-        bytes.resize(size);
-        if (size >= whole.size())
-            bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1 + random() % 255);
-        Bytes index(size);
-        const StreamCheckOutcome plain = check_stream(source_of(bytes));
-        const StreamCheckOutcome outcome = check_stream(source_of(bytes), index.data(), index.size());
-        ASSERT_NE(outcome.status, Status::ok);
-        EXPECT_EQ(outcome.status, plain.status) << size;
-        EXPECT_EQ(outcome.offset, plain.offset) << size;
-        EXPECT_FALSE(outcome.source.checked);
-        EXPECT_EQ(outcome.source.index, nullptr);
-        EXPECT_EQ(outcome.source.size, size);
-    }
-}
-
-TEST(StreamSubtree, AReadThatFailsLeavesNoIndex) {
-    const Bytes bytes = sample_of(3).bytes();
-    Bytes index(bytes.size());
-    for (std::size_t at = 0;; ++at) {
-        TestSource source(bytes);
-        source.fail_at = at;
-        const StreamCheckOutcome outcome = check_stream(source.source(), index.data(), index.size());
-        if (outcome.status == Status::ok) {
-            EXPECT_GT(at, 2U);
-            break;
-        }
-        EXPECT_EQ(outcome.status, Status::source_failed);
-        EXPECT_EQ(outcome.offset, source.asked_at);
-        EXPECT_EQ(outcome.source.index, nullptr);
-    }
-}
-
-// Most of it is not even read.
-TEST(StreamSubtree, AnIndexSavesReads) {
-    std::mt19937 random(14);
-    const Bytes bytes = Sample{grey_part(6, 12, two_colours, random), 6}.bytes();
-    const Place from(bytes, Known::indexed, true);
-    ASSERT_GT(bytes.size(), 10000U);
-    for (const Known known : {Known::checked, Known::indexed}) {
-        TestSource source(bytes);
-        source.checked = true;
-        source.index = known == Known::indexed ? from.reader.index : nullptr;
-        const Point last = {{root_side - 1, root_side - 1, root_side - 1}};
-        ASSERT_EQ(leaf_at(source.source(), last).point.leaf.colour,
-                  leaf_at(source_of(bytes), last).point.leaf.colour);
-        if (known == Known::checked) {
-            EXPECT_GT(source.reads, bytes.size() / 64);
-        } else {
-            EXPECT_LT(source.reads, 130U); // two a child that goes by
-        }
-    }
-}
-
-// Whatever is passed: the rest of what is looked at first, and the blocks before and behind its end.
-TEST(StreamSubtree, ASkipByAnIndexReadsThreeTimesAtMost) {
-    std::mt19937 random(17);
-    for (int round = 0; round < 6; ++round) {
-        const Bytes bytes = Sample{grey_part(6, 7, two_colours, random), 6}.bytes();
-        Place from(bytes, Known::indexed, true);
-        StreamCursor cursor;
-        std::size_t skips = 0;
-        for (cursor.begin(from.source); !cursor.done(); cursor.next()) {
-            StreamCursor skipping = cursor;
-            from.reader.reads = 0;
-            skips += cursor.colour() == Colour::grey ? 1U : 0U;
-            skipping.skip();
-            ASSERT_EQ(skipping.status(), Status::ok);
-            ASSERT_LE(from.reader.reads, skipping.done() ? 4U : 3U) << "the trailer is read by itself";
-        }
-        EXPECT_GT(skips, 100U);
-    }
-}
-
-TEST(StreamSubtree, APointsLeafIsTheSameHoweverMuchIsKnown) {
-    std::mt19937 random(15);
-    for (int round = 0; round < 40; ++round) {
-        const int depth = 1 + round % 6;
-        const Bytes bytes = Sample{grey_part(depth, 9, three_colours, random), depth}.bytes();
-        for (int i = 0; i < 40; ++i) {
-            Point cell;
-            for (std::int32_t& coordinate : cell.at)
-                coordinate = static_cast<std::int32_t>(random() % root_side);
-            const StreamPointOutcome expected = leaf_at(source_of(bytes), cell);
-            for (const unsigned way : {1U, 2U, 4U, 5U}) {
-                const Place from(bytes, all_known[way % 3], way / 3 != 0);
-                const StreamPointOutcome outcome = leaf_at(from.source, cell);
-                ASSERT_EQ(outcome.point.status, Status::ok);
-                ASSERT_EQ(outcome.point.leaf.colour, expected.point.leaf.colour);
-                ASSERT_EQ(outcome.point.leaf.octant.corner, expected.point.leaf.octant.corner);
-                ASSERT_EQ(outcome.point.leaf.octant.level, expected.point.leaf.octant.level);
-                ASSERT_EQ(outcome.offset, expected.offset);
-                ASSERT_LE(outcome.point.visited, expected.point.visited);
-                ASSERT_LE(outcome.point.visited, 1U + 8U * static_cast<unsigned>(depth));
             }
         }
     }
