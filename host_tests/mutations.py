@@ -201,7 +201,7 @@ MUTATIONS = [
     ("stream/checked_subtree.cpp", "(jumps && !read) || is_ready()", "is_ready()", "what an index leads over is read"),
     ("stream/checked_boolean.cpp", "    } else if (builder_.whole()) {", "    }\n    if (builder_.whole()) {", "the end behind a refusal"),
     ("stream/checked_boolean.cpp", " || !builder_.taken()) break;", ") break;", "a walk that goes on behind a refusal"),
-    ("stream/checked_boolean.cpp", "if (goes_on) begin_beside(subtree);", "", "a subtree goes on that has not begun"),
+    ("stream/checked_boolean.cpp", "if (goes_on) begin_rest(subtree);", "", "a subtree goes on that has not begun"),
     ("stream/checked_boolean.cpp", "chosen<std::uint32_t>(copied(), nodes, 0)", "nodes", "nodes of what is left out"),
     ("stream/checked_boolean.cpp", "inverts ? complemented(next) : next", "next", "a small subtree is not complemented"),
     ("stream/checked_boolean.cpp", "    (subtree.grey_a ? a_ : b_).to_come_ = subtree.to_come;\n", "", "a subtree that is not small has ended"),

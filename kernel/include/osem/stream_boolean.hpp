@@ -11,7 +11,7 @@
 
 namespace osem {
 
-enum class Beside : std::uint8_t;
+enum class Becomes : std::uint8_t;
 
 /// Outcome of a Boolean on streams.
 struct StreamCombinationOutcome {
@@ -57,7 +57,7 @@ class StreamCombination {
   private:
     enum class Phase : std::uint8_t { idle, done, counting, writing };
     enum class Held : std::uint8_t { none, a, b };
-    enum class Way : std::uint8_t { each, beside, skipped, copied, inverted };
+    enum class Way : std::uint8_t { each, below, skipped, copied, inverted };
 
     class CheckedWalk;
     struct Subtree;
@@ -73,16 +73,16 @@ class StreamCombination {
     std::uint64_t decided_cells() const;
     std::uint64_t cells_before_fault() const;
     inline bool visit(bool may);
-    bool visit_beside(bool may);
+    bool visit_below(bool may);
     void hold(std::uint32_t leaf);
-    std::uint32_t beside(std::uint32_t codes) const;
+    std::uint32_t connected_with_held(std::uint32_t codes) const;
     std::uint32_t step_checked(std::uint32_t most);
     std::uint32_t visit_checked(std::uint32_t most);
     bool end_octants(bool below);
-    void begin_beside(const Subtree& subtree);
+    void begin_rest(const Subtree& subtree);
     void end_checked();
     void begin_below();
-    void choose_way(Beside becomes);
+    void choose_way(Becomes becomes);
     std::uint32_t pass(std::uint32_t most);
     void end_below();
     void arrive();

@@ -89,16 +89,16 @@ class StreamCombination::CheckedWalk {
 struct StreamCombination::Subtree {
     bool grey_a;
     unsigned leaf; // its code
-    Beside becomes;
+    Becomes becomes;
     unsigned codes = 0;        // that have gone by
     std::uint32_t nodes = 0;   // of them
     std::uint32_t to_come = 1; // groups
 
-    bool copied() const { return becomes >= Beside::copied; }
+    bool copied() const { return becomes >= Becomes::copied; }
 
     // What is there of it goes by if it is small, or its beginning. Returns whether that was all.
     [[gnu::always_inline]] bool pass(CheckedWalk& a, CheckedWalk& b, StreamBuilder::Siblings& siblings) {
-        if (becomes == Beside::connected || !(grey_a ? a : b).has_small()) return false;
+        if (becomes == Becomes::connected || !(grey_a ? a : b).has_small()) return false;
         if (copied()) siblings.make_stand();
         siblings.put_grey(copied());
         pass_groups(grey_a ? a.bytes() : b.bytes(), chosen(grey_a, a.bit(), b.bit()), siblings);
@@ -113,7 +113,7 @@ struct StreamCombination::Subtree {
                                             StreamBuilder::Siblings& siblings) {
         const std::uint8_t* from = bytes + bit / 8;
         const bool copies = copied();
-        const bool inverts = becomes == Beside::inverted;
+        const bool inverts = becomes == Becomes::inverted;
         do {
             const Codes next = all_codes_at(from, bit % 8);
             const CodeGroups groups(next);
@@ -130,7 +130,7 @@ struct StreamCombination::Subtree {
 
 // Goes on, and looks whether that was all.
 std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
-    const bool each = way_ == Way::each || way_ == Way::beside;
+    const bool each = way_ == Way::each || way_ == Way::below;
     const std::uint32_t steps = each ? visit_checked(most) : pass(most);
     if (!in_progress()) return steps;
     if (!builder_.taken()) {
@@ -143,7 +143,7 @@ std::uint32_t StreamCombination::step_checked(std::uint32_t most) {
 
 // Visits the octants that come next in both operands, or in the one that goes on below a leaf of the other.
 std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
-    const bool below = way_ == Way::beside; // one operand goes on, below the level of a leaf of the other
+    const bool below = way_ == Way::below; // one operand goes on, below the level of a leaf of the other
     const bool holds_a = below && held_ == Held::a;
     const bool holds_b = below && held_ == Held::b;
     if ((!holds_a && !a_.is_ready()) || (!holds_b && !b_.is_ready())) {
@@ -157,7 +157,7 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
     std::uint32_t granted = least(most, a.ready(), b.ready());
     std::uint32_t left = granted;
     std::uint32_t steps = 0;
-    Subtree subtree = {false, 0, Beside::white};
+    Subtree subtree = {false, 0, Becomes::white};
     bool goes_on = false; // the subtree does, behind this
     while (left != 0) {
         --left;
@@ -179,7 +179,7 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
         }
         const bool grey_a = is_grey(greys_a);
         const auto leaf = static_cast<unsigned>(chosen(grey_a, next_b, next_a) & 3U);
-        subtree = {grey_a, leaf, beside_leaf(op, !grey_a, leaf)};
+        subtree = {grey_a, leaf, becomes_beside_leaf(op, !grey_a, leaf)};
         // A root beside a leaf is always the former: the leaf's stream has one code.
         goes_on = left == 0 || !subtree.pass(a, b, siblings);
         steps += granted - left + subtree.nodes;
@@ -194,7 +194,7 @@ std::uint32_t StreamCombination::visit_checked(std::uint32_t most) {
     siblings.end();
     a.end();
     b.end();
-    if (goes_on) begin_beside(subtree);
+    if (goes_on) begin_rest(subtree);
     return steps + (granted - left);
 }
 
@@ -206,7 +206,7 @@ bool StreamCombination::end_octants(bool below) {
 }
 
 // What has not gone by of a subtree goes on by itself.
-void StreamCombination::begin_beside(const Subtree& subtree) {
+void StreamCombination::begin_rest(const Subtree& subtree) {
     held_ = subtree.grey_a ? Held::b : Held::a;
     (subtree.grey_a ? b_ : a_).colour_ = static_cast<Colour>(subtree.leaf);
     held_level_ = static_cast<std::uint8_t>(builder_.level());

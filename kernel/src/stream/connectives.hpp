@@ -29,7 +29,7 @@ constexpr std::uint32_t all_children = 0x55555555U;
 
 /// What becomes of a grey octant beside a leaf of the other operand: a leaf; or it stays grey, and what is
 /// below it is connected with the leaf, copied, or inverted.
-enum class Beside : std::uint8_t {
+enum class Becomes : std::uint8_t {
     white = 0,
     boundary = 1,
     connected = 2,
@@ -39,32 +39,32 @@ enum class Beside : std::uint8_t {
 };
 
 // unreachable: at run time, as the compiler makes the table.
-constexpr Beside plain_beside(Operator op, bool leaf_is_a, Colour colour) {
+constexpr Becomes plain_becomes(Operator op, bool leaf_is_a, Colour colour) {
     constexpr std::uint32_t each_leaf = 0b110100;
     constexpr std::uint32_t each_complement = 0b000111;
     const std::uint32_t leaf = 0b010101U * static_cast<std::uint32_t>(colour);
     const std::uint32_t made =
         (leaf_is_a ? connected(op, leaf, each_leaf) : connected(op, each_leaf, leaf)) & 0b111111U;
-    if (made == each_leaf) return Beside::copied;
-    if (made == each_complement) return Beside::inverted;
-    return made == (made & 3U) * 0b010101U ? static_cast<Beside>(made & 3U) : Beside::connected;
+    if (made == each_leaf) return Becomes::copied;
+    if (made == each_complement) return Becomes::inverted;
+    return made == (made & 3U) * 0b010101U ? static_cast<Becomes>(made & 3U) : Becomes::connected;
 }
 
 /// The same, looked up.
-struct BesideTable {
+struct BecomesTable {
     // unreachable: at run time, as the compiler asks.
-    constexpr BesideTable() {
+    constexpr BecomesTable() {
         for (unsigned at = 0; at < sizeof of / sizeof *of; ++at) {
             of[at] =
-                plain_beside(static_cast<Operator>(at / 8), at / 4 % 2 != 0, static_cast<Colour>(at % 4));
+                plain_becomes(static_cast<Operator>(at / 8), at / 4 % 2 != 0, static_cast<Colour>(at % 4));
         }
     }
-    Beside of[32] = {};
+    Becomes of[32] = {};
 };
-inline constexpr BesideTable beside_table;
+inline constexpr BecomesTable becomes_table;
 
-[[gnu::always_inline]] inline Beside beside_leaf(Operator op, bool leaf_is_a, unsigned code) {
-    return beside_table.of[8 * static_cast<unsigned>(op) + (leaf_is_a ? 4U : 0U) + (code & 3U)];
+[[gnu::always_inline]] inline Becomes becomes_beside_leaf(Operator op, bool leaf_is_a, unsigned code) {
+    return becomes_table.of[8 * static_cast<unsigned>(op) + (leaf_is_a ? 4U : 0U) + (code & 3U)];
 }
 
 } // namespace osem

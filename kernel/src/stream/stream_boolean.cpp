@@ -53,7 +53,7 @@ Status StreamCombination::start(Operator op, const Source& a, const Source* b, c
 bool StreamCombination::begin_pass() {
     held_ = unary_ ? Held::b : Held::none;
     held_level_ = 0;
-    way_ = unary_ ? Way::beside : Way::each;
+    way_ = unary_ ? Way::below : Way::each;
     b_.colour_ = Colour::black;
     a_.begin(source_a_);
     if (!check(a_, 0)) return false;
@@ -77,18 +77,17 @@ std::uint64_t StreamCombination::cells_before_fault() const {
     if (cursor.done() && cursor.path_.whole()) return decided_ + root_volume; // what is behind is wrong
     // Without a read nothing has been arrived at.
     const bool one_by_one =
-        (way_ == Way::each || way_ == Way::beside) && cursor.status() != Status::source_failed;
+        (way_ == Way::each || way_ == Way::below) && cursor.status() != Status::source_failed;
     return one_by_one ? decided_ + cursor.path_.volume_before(cursor.level()) : decided_cells();
 }
 
 bool StreamCombination::step(std::uint32_t octants) {
     while (in_progress()) {
-        if (checked_ ||
-            (way_ != Way::each && way_ != Way::beside)) { // many at a time, the last of them whole
+        if (checked_ || (way_ != Way::each && way_ != Way::below)) { // many at a time, the last of them whole
             if (octants == 0) return true;
             const std::uint32_t steps = checked_ ? step_checked(octants) : pass(octants);
             octants -= steps < octants ? steps : octants;
-        } else if (!(way_ == Way::each ? visit(octants != 0) : visit_beside(octants != 0))) {
+        } else if (!(way_ == Way::each ? visit(octants != 0) : visit_below(octants != 0))) {
             arrive();
         } else {
             if (octants == 0) return true;
@@ -131,7 +130,7 @@ void StreamCombination::hold(std::uint32_t leaf) {
 }
 
 // The same below a leaf of the held operand.
-bool StreamCombination::visit_beside(bool may) {
+bool StreamCombination::visit_below(bool may) {
     StreamCursor& cursor = held_ == Held::a ? b_ : a_;
     const std::uint32_t next = cursor.look();
     if ((next & StreamCursor::hidden_bit) != 0) return false;
@@ -139,7 +138,7 @@ bool StreamCombination::visit_beside(bool may) {
     const bool known = (next & StreamCursor::known_bit) != 0;
     cursor.take(next, known);
     if (known) {
-        builder_.leaves(low_bits(beside(next)));
+        builder_.leaves(low_bits(connected_with_held(next)));
     } else {
         begin_below();
     }
@@ -148,7 +147,7 @@ bool StreamCombination::visit_beside(bool may) {
 }
 
 // What becomes of codes beside the leaf of the held operand.
-std::uint32_t StreamCombination::beside(std::uint32_t codes) const {
+std::uint32_t StreamCombination::connected_with_held(std::uint32_t codes) const {
     const bool is_a = held_ == Held::a;
     const std::uint32_t held = all_children * static_cast<std::uint32_t>(is_a ? a_.colour_ : b_.colour_);
     return is_a ? connected(op_, held, codes) : connected(op_, codes, held);
@@ -157,20 +156,20 @@ std::uint32_t StreamCombination::beside(std::uint32_t codes) const {
 // What is done below a grey octant beside a leaf of the held operand.
 void StreamCombination::begin_below() {
     const bool is_a = held_ == Held::a;
-    choose_way(beside_leaf(op_, is_a, static_cast<unsigned>(is_a ? a_.colour_ : b_.colour_)));
-    if (way_ == Way::beside) {
+    choose_way(becomes_beside_leaf(op_, is_a, static_cast<unsigned>(is_a ? a_.colour_ : b_.colour_)));
+    if (way_ == Way::below) {
         builder_.open();
     } else if (way_ != Way::skipped) {
         builder_.begin_copy();
     }
 }
 
-void StreamCombination::choose_way(Beside becomes) {
+void StreamCombination::choose_way(Becomes becomes) {
     colour_ = static_cast<Colour>(static_cast<unsigned>(becomes) & 3U);
-    way_ = becomes == Beside::copied      ? Way::copied
-           : becomes == Beside::inverted  ? Way::inverted
-           : becomes == Beside::connected ? Way::beside
-                                          : Way::skipped;
+    way_ = becomes == Becomes::copied      ? Way::copied
+           : becomes == Becomes::inverted  ? Way::inverted
+           : becomes == Becomes::connected ? Way::below
+                                           : Way::skipped;
 }
 
 // Goes on below a grey octant beside a leaf, where none of its parts need be looked at by itself. Returns the
@@ -219,7 +218,7 @@ void StreamCombination::advance() {
     first.next();
     if (held_ == Held::none) second.next();
     if (!check(first, 1 - held)) return;
-    if (!unary_ && way_ != Way::beside) { // there what is next is below the leaf
+    if (!unary_ && way_ != Way::below) { // there what is next is below the leaf
         if (held_ != Held::none) second.next();
         held_ = Held::none;
         way_ = Way::each;
