@@ -148,9 +148,11 @@ TEST(BooleanSharing, ASmallChangeCostsAPath) {
         const TreeOutcome added = combine(job, Operator::unite, tree, cell, *pool);
         const TreeOutcome removed = combine(job, Operator::subtract, tree, cell, *pool);
         const TreeOutcome flipped = combine(job, Operator::exclusive_or, tree, cell, *pool);
-        EXPECT_LE(added.nodes_needed, 8U * max_depth);
-        EXPECT_LE(removed.nodes_needed, 8U * max_depth);
-        EXPECT_LE(flipped.nodes_needed, 8U * max_depth);
+        constexpr std::uint32_t path =
+            8 * 5 + (max_depth - 5); // groups of the tree, below them the cell's nodes
+        EXPECT_LE(added.nodes_needed, path);
+        EXPECT_LE(removed.nodes_needed, path);
+        EXPECT_LE(flipped.nodes_needed, path);
         const std::uint64_t volume = grid.volume(Colour::black);
         EXPECT_EQ(measure(added.tree).inner_volume, volume + 1 - inside);
         EXPECT_EQ(measure(removed.tree).inner_volume, volume - inside);

@@ -1,9 +1,11 @@
 // Jobs asked for a result they do not have, begun twice, or given tables that lie.
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "osem/osem.hpp"
+#include "support/dense_grid.hpp"
 #include "support/heap_pool.hpp"
 #include "support/small_solids.hpp"
 
@@ -91,6 +93,75 @@ TEST(Misuse, ARefusedBeginLeavesNoOldResult) {
     ASSERT_EQ(conversion.begin(CheckedSolid::vouched(Solid{}), options, nullptr, 0, &*pool),
               Status::depth_out_of_range);
     EXPECT_EQ(conversion.finish().status, Status::unfinished);
+}
+
+// Begins, goes on a few steps, and is refused when it begins again.
+template <class Job, class Begin>
+void expect_no_old_progress(const char* what, Begin begin) {
+    const auto job = std::make_unique<Job>();
+    EXPECT_EQ(job->decided_volume(), 0U) << what;
+    ASSERT_EQ(begin(*job, true), Status::ok) << what;
+    std::uint64_t decided = 0;
+    for (int i = 0; i < 100 && decided == 0; ++i) {
+        ASSERT_TRUE(job->step(1)) << what;
+        decided = job->decided_volume();
+    }
+    ASSERT_NE(decided, 0U) << what;
+    EXPECT_NE(begin(*job, false), Status::ok) << what;
+    EXPECT_EQ(job->decided_volume(), 0U) << what;
+    EXPECT_FALSE(job->step(1)) << what;
+}
+
+TEST(Misuse, ARefusedBeginLeavesNoOldProgress) {
+    HeapPool pool(10000);
+    HeapPool other(10000);
+    const Octree tree = planted(random_grid(4, 5, two_colours), *pool);
+    const Octree with = planted(random_grid(4, 6, two_colours), *pool);
+    const Octree foreign = planted(random_grid(4, 5, two_colours), *other);
+    const SmallSolid solid = box_solid({{{100, 200, 300}}, {{700000, 600000, 500000}}, 1});
+    std::vector<std::uint32_t> scratch(static_cast<std::size_t>(grid_scratch(solid.checked().view(), 6)));
+    const auto words = static_cast<std::uint32_t>(scratch.size());
+    const auto options = [](bool good) {
+        ConvertOptions all;
+        all.depth = good ? 6 : 0;
+        return all;
+    };
+    expect_no_old_progress<Conversion>("conversion", [&](Conversion& job, bool good) {
+        return job.begin(solid.checked(), options(good), scratch.data(), words, &*pool);
+    });
+    expect_no_old_progress<GridConversion>("grids", [&](GridConversion& job, bool good) {
+        const Status status = job.begin(solid.checked(), options(good), scratch.data(), words, &*pool, {1});
+        EXPECT_EQ(job.scratch_used(), 0U);
+        EXPECT_EQ(job.grids_visited(), 0U);
+        EXPECT_EQ(job.nodes_counted(), 0U);
+        return status;
+    });
+    expect_no_old_progress<Combination>("Boolean", [&](Combination& job, bool good) {
+        return job.begin(Operator::unite, tree, good ? with : foreign, *pool);
+    });
+    expect_no_old_progress<Coarsening>("coarsening", [&](Coarsening& job, bool good) {
+        return job.begin(tree, good ? 3 : 0, Coarse::certified, *pool);
+    });
+    expect_no_old_progress<Reorientation>("reorientation", [&](Reorientation& job, bool good) {
+        return job.begin(good ? tree : foreign, Symmetry::nth(1), *pool);
+    });
+    expect_no_old_progress<Translation>("translation", [&](Translation& job, bool good) {
+        Placement placement;
+        placement.cut_at_root = true;
+        placement.by = {{root_side / 16, 0, 0}};
+        return job.begin(good ? tree : foreign, placement, *pool);
+    });
+    expect_no_old_progress<Fitting>("fitting", [&](Fitting& job, bool good) {
+        return job.begin(solid.checked(), options(good), scratch.data(), words, *pool);
+    });
+    const CsgToken token = CsgToken::of(0);
+    CsgTree walked(tree);
+    const CsgOperand operand(walked);
+    expect_no_old_progress<CsgConversion>("expression", [&](CsgConversion& job, bool good) {
+        CsgOptions all;
+        all.depth = good ? 4 : 0;
+        return job.begin(&token, 1, &operand, 1, all, &*other).status;
+    });
 }
 
 TEST(Misuse, BeginningAgainGivesUpWhatWasOpen) {

@@ -43,8 +43,12 @@ TEST(SubtreeIndex, AnIndexSaysWhatIsToCome) {
         ASSERT_EQ(index_of(bytes), expected) << seed;
         most = std::max(most, expected.size());
         Bytes index(expected.size() - 1);
-        EXPECT_EQ(check_stream(source_of(bytes), index.data(), index.size()).status,
-                  Status::scratch_too_small);
+        Source known = source_of(bytes, true);
+        known.index = expected.data();
+        const StreamCheckOutcome refused = check_stream(known, index.data(), index.size());
+        EXPECT_EQ(refused.status, Status::scratch_too_small);
+        EXPECT_FALSE(refused.source.checked);
+        EXPECT_EQ(refused.source.index, nullptr);
         EXPECT_TRUE(std::all_of(index.begin(), index.end(), [](std::uint8_t byte) { return byte == 0; }));
     }
     EXPECT_GT(most, 40U);

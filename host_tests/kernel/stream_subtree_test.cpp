@@ -279,6 +279,7 @@ TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
     std::mt19937 random(11);
     StreamCombination job;
     const Bytes leaf = Sample{{Colour::white, {}}, 1}.bytes();
+    constexpr std::size_t most_kept = 512; // what is written at a time, which may be what steps before left
     for (int round = 0; round < 8; ++round) {
         const Part part = grey_part(6, 12, two_colours, random);
         const Bytes bytes = Sample{part, 6}.bytes();
@@ -297,6 +298,15 @@ TEST(StreamSubtree, AStepPassesNoMoreNodesThanAskedFor) {
                 const unsigned at_once = way % 3 == 0 ? 0 : way % 3 == 1 ? 31 : 50;
                 EXPECT_GE(steps * (octants + at_once), 2 * nodes) << octants << ", way " << way;
                 EXPECT_EQ(result, bytes) << way;
+                TestSink once;
+                ASSERT_EQ(job.begin(Operator::unite, from.source, source_of(leaf, way / 6 != 0),
+                                    once.replacing_sink()),
+                          Status::ok);
+                for (std::size_t before = once.bytes.size(); job.step(octants); before = once.bytes.size()) {
+                    const std::size_t most = octants + (way % 3 == 0 ? 0 : way % 3 == 1 ? 46 : 50);
+                    ASSERT_LE(once.bytes.size() - before, 2 * most + most_kept) << octants << ", way " << way;
+                }
+                EXPECT_EQ(once.bytes, bytes) << way;
             }
         }
     }

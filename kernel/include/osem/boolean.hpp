@@ -24,8 +24,8 @@ class Combination {
 
     /// Visits up to `nodes` pairs of nodes; false when none is left. Pairs visited in all: at most the
     /// octants in which both operands have nodes, or one has nodes and the other a leaf that neither decides
-    /// alone nor leaves the nodes as they are (a boundary leaf; in subtract and exclusive_or also a black
-    /// one).
+    /// alone nor leaves the nodes as they are: a boundary leaf, but in exclusive_or, where it decides; in
+    /// subtract and exclusive_or a black one.
     bool step(std::uint32_t nodes);
 
     bool exhausted() const { return builder_.exhausted(); }
@@ -55,7 +55,7 @@ class Combination {
     Operator op_ = Operator::unite;
     bool complement_b_ = false;
     std::uint8_t depth_ = 0;
-    int level_ = 0;
+    int level_ = -1;
     std::uint64_t visited_ = 0;
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;

@@ -103,9 +103,9 @@ StreamCheckOutcome check_stream(const Source& source);
 /// The same, and makes an index of the stream's subtrees by the way: `size` bytes at `index` hold it, which
 /// must stay there as long as the checked source is used. It may be kept beside the stream, and given to
 /// sources of the same bytes. Status: those of check_stream; scratch_too_small where `size` is less than
-/// subtree_index_size of the nodes for which the source has room; nothing is read then. Cost: a
-/// third more. Source: one level of the range min-max tree of K. Sadakane and G. Navarro, "Fully-functional
-/// succinct trees" (SODA 2010).
+/// subtree_index_size((source.size - stream_header_size - stream_trailer_size) / 2); nothing is read then.
+/// Cost: a third more. Source: one level of the range min-max tree of K. Sadakane and G. Navarro,
+/// "Fully-functional succinct trees" (SODA 2010).
 StreamCheckOutcome check_stream(const Source& source, std::uint8_t* index, std::size_t size);
 
 /// Writes a tree of up to 2^32 - 1 nodes (shared ones counted as often as they are reached); depth and node

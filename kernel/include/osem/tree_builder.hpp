@@ -85,8 +85,10 @@ class TreeBuilder {
     /// tree: depth is in [1, 20], and no leaf is deeper.
     TreeOutcome finish(int depth);
 
-    /// Gives the pool's nodes back, as if the build had never begun. After finish it does nothing.
+    /// Gives the pool's nodes back, and what was counted stays. After finish it does nothing.
     void abandon();
+    /// The same, as if the build had never begun.
+    void reset();
 
   private:
     template <bool is_boundary_free>

@@ -29,9 +29,12 @@ bool lies_in_plane(const Solid& solid, std::uint32_t face, Axis axis, std::int32
 Status Labelling::begin(const CheckedSolid& solid, int depth, WindingRule winding, std::uint32_t* faces,
                         std::uint32_t face_size, std::uint32_t* blocks, std::uint32_t block_size,
                         NodePool* pool) {
-    builder_.abandon();
+    builder_.reset();
     needed_ = 0;
     components_ = 0;
+    visited_ = 0;
+    pairs_ = 0;
+    stages_ = StageCounts{};
     phase_ = Phase::done;
     if (depth < 1 || depth > max_depth) return Status::depth_out_of_range;
     if (face_size < convert_scratch(solid.view())) return Status::scratch_too_small;
@@ -44,9 +47,6 @@ Status Labelling::begin(const CheckedSolid& solid, int depth, WindingRule windin
     block_size_ = block_size < most_blocks ? block_size : most_blocks;
     count_ = 0;
     first_met_ = 0;
-    visited_ = 0;
-    pairs_ = 0;
-    stages_ = StageCounts{};
     at_ = 0;
     block_ = Block{root_octant.corner, 0};
     phase_ = Phase::marking;

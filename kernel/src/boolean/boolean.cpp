@@ -61,7 +61,9 @@ constexpr Node uniform_nodes[] = {Node::uniform(Colour::white), Node::uniform(Co
 } // namespace
 
 Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePool& pool, bool count_only) {
-    builder_.abandon();
+    builder_.reset();
+    level_ = -1;
+    visited_ = 0;
     if (a.pool != &pool || b.pool != &pool) return Status::pools_differ;
     pool_ = &pool;
     op_ = op;

@@ -7,16 +7,16 @@ namespace osem {
 
 Status Conversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                          std::uint32_t scratch_size, NodePool* pool) {
-    builder_.abandon();
+    builder_.reset();
+    level_ = -1;
+    visited_ = 0;
     if (options.depth < 1 || options.depth > greatest_depth(options.leaves)) {
         return Status::depth_out_of_range;
     }
     if (scratch_size < convert_scratch(solid.view())) return Status::scratch_too_small;
     faces_.begin(solid, scratch);
     options_ = options;
-    visited_ = 0;
     octant_ = root_octant;
-    level_ = -1;
     started_ = false;
     builder_.begin(pool);
     return Status::ok;

@@ -76,6 +76,7 @@ class Visit {
 CsgFault CsgConversion::begin(const CsgToken* tokens, std::uint32_t token_count, const CsgOperand* operands,
                               std::uint32_t operand_count, const CsgOptions& options, NodePool* pool) {
     builder_.abandon();
+    level_ = -1;
     fault_ = CsgFault{Status::ok, 0, 0, 0};
     CsgFault fault = fault_;
     fault.status = expression_.begin(tokens, token_count, operand_count, fault.token);
@@ -101,7 +102,6 @@ CsgFault CsgConversion::begin(const CsgToken* tokens, std::uint32_t token_count,
     options_ = options;
     visited_ = 0;
     octant_ = root_octant;
-    level_ = -1;
     builder_.begin(pool);
     return fault;
 }

@@ -64,8 +64,13 @@ PlacedFaces::Digit digit_at(int levels_below, bool of_eight) {
 
 Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& options, std::uint32_t* scratch,
                              std::uint32_t scratch_size, NodePool* pool, const GridOptions& grids) {
-    builder_.abandon();
+    builder_.reset();
     overflowed_ = false;
+    scratch_size_ = 0;
+    room_ = 0;
+    scratch_used_ = 0;
+    visited_ = 0;
+    grids_ = 0;
     if (options.depth < 1 || options.depth > greatest_depth(options.leaves)) {
         return Status::depth_out_of_range;
     }
@@ -80,9 +85,6 @@ Status GridConversion::begin(const CheckedSolid& solid, const ConvertOptions& op
     scratch_ = scratch;
     scratch_size_ = scratch_size;
     room_ = scratch_size;
-    scratch_used_ = 0;
-    visited_ = 0;
-    grids_ = 0;
     started_ = false;
     builder_.begin(pool);
     return Status::ok;

@@ -128,7 +128,7 @@ bool StreamCursor::look_in_place() {
     if (there < read_size + bytes_behind) return false;
     const std::uint64_t count = there - bytes_behind;
     window_.bytes = static_cast<const std::uint8_t*>(source_.context) + first;
-    // unreachable: that there are more, by a test in reasonable time.
+    // unreachable: that there are more, by a test that must do with less memory.
     filled_ = static_cast<unsigned>(count < most ? count : most);
     loaded_ = first + filled_;
     at_ %= 4;

@@ -45,7 +45,10 @@ void IndexedReading::add_block(const std::uint8_t* bytes, std::size_t count) {
 StreamCheckOutcome check_stream(const Source& source, std::uint8_t* index, std::size_t size) {
     const std::uint64_t fixed = stream_header_size + stream_trailer_size;
     if (source.size > fixed && size < subtree_index_size((source.size - fixed) / 2)) {
-        return {Status::scratch_too_small, 0, source};
+        StreamCheckOutcome refused = {Status::scratch_too_small, 0, source};
+        refused.source.checked = false;
+        refused.source.index = nullptr;
+        return refused;
     }
     IndexedReading reading(source, index);
     StreamCheckOutcome outcome = check_stream(reading.source());

@@ -23,14 +23,14 @@ Masks leaves_of(const Node& node, Coarse mode) {
 } // namespace
 
 Status Coarsening::begin(const Octree& tree, int depth, Coarse mode, NodePool& pool, bool count_only) {
-    builder_.abandon();
+    builder_.reset();
+    open_.level = -1;
+    visited_ = 0;
     if (tree.pool != &pool) return Status::pools_differ;
     if (depth < 1 || depth > max_depth) return Status::depth_out_of_range;
     pool_ = &pool;
     mode_ = mode;
     depth_ = depth < tree.depth ? static_cast<std::uint8_t>(depth) : tree.depth;
-    visited_ = 0;
-    open_.level = -1;
     builder_.begin(&pool, count_only);
     enter(tree.top, 0);
     return Status::ok;

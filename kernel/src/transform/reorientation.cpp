@@ -19,14 +19,14 @@ std::uint8_t image_of(const Symmetry& symmetry, std::uint8_t mask) {
 } // namespace
 
 Status Reorientation::begin(const Octree& tree, const Symmetry& symmetry, NodePool& pool, bool count_only) {
-    builder_.abandon();
+    builder_.reset();
+    open_.level = -1;
+    visited_ = 0;
     if (tree.pool != &pool) return Status::pools_differ;
     if (!symmetry.is_valid()) return Status::symmetry_invalid;
     pool_ = &pool;
     symmetry_ = symmetry;
     depth_ = tree.depth;
-    visited_ = 0;
-    open_.level = -1;
     builder_.begin(&pool, count_only);
     enter(tree.top, 0);
     return Status::ok;

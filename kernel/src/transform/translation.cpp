@@ -45,7 +45,9 @@ bool one_colour(const Node (&nodes)[8]) {
 } // namespace
 
 Status Translation::begin(const Octree& tree, const Placement& placement, NodePool& pool, bool count_only) {
-    builder_.abandon();
+    builder_.reset();
+    open_.level = -1;
+    visited_ = 0;
     searching_ = false;
     leaves_root_ = false;
     if (tree.pool != &pool) return Status::pools_differ;
@@ -59,7 +61,6 @@ Status Translation::begin(const Octree& tree, const Placement& placement, NodePo
     pool_ = &pool;
     tree_ = tree;
     placement_ = placement;
-    visited_ = 0;
     for (unsigned axis = 0; axis < 3; ++axis) {
         const std::int32_t by = clamped(placement.by.at[axis]);
         placement_.by.at[axis] = by;
@@ -71,7 +72,6 @@ Status Translation::begin(const Octree& tree, const Placement& placement, NodePo
         start();
     } else {
         searching_ = true;
-        open_.level = -1;
     }
     return Status::ok;
 }

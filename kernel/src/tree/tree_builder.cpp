@@ -107,15 +107,12 @@ Written write_parts(Node* nodes, std::uint32_t end, std::uint8_t grey, const std
 } // namespace
 
 void TreeBuilder::begin(NodePool* pool, bool count_only) {
-    abandon();
+    reset();
     pool_ = pool;
     mark_ = pool != nullptr ? pool->used() : 0;
-    needed_ = 0;
     level_ = 0;
     building_ = true;
-    closed_ = false;
     writing_ = pool != nullptr && !count_only;
-    exhausted_ = false;
     top_ = Node::uniform(Colour::white);
     levels_[0].may = 0;
     levels_[0].must = 0;
@@ -296,6 +293,11 @@ void TreeBuilder::abandon() {
     building_ = false;
     closed_ = false;
     exhausted_ = false;
+}
+
+void TreeBuilder::reset() {
+    abandon();
+    needed_ = 0;
 }
 
 } // namespace osem
