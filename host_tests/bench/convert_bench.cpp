@@ -13,7 +13,7 @@ namespace {
 void set_counters(benchmark::State& state, const std::string& solid, int depth, std::uint64_t result_bytes,
                   std::uint64_t memory_bytes) {
     const Agreement& agreement = agreement_on(solid, depth);
-    state.counters["faces"] = static_cast<double>(solid_of(solid).triangles.size());
+    state.counters["triangles"] = static_cast<double>(solid_of(solid).triangles.size());
     state.counters["cells"] = static_cast<double>(agreement.cells);
     state.counters["boundary_cells"] = static_cast<double>(agreement.boundary_cells);
     state.counters["result_bytes"] = static_cast<double>(result_bytes);

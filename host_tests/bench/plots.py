@@ -1,4 +1,4 @@
-"""One picture: time by depth, time by faces, times the floor's, and Booleans."""
+"""One picture: time by depth, time by triangles, and unions."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -29,16 +29,16 @@ def by_depth(axes, found, solid):
     axes.set(title=f"Conversion of {solid}", xlabel="cells along an axis", ylabel="ms")
 
 
-def by_faces(axes, found, prefix, title):
+def by_triangles(axes, found, prefix, title):
     for method in STYLE:
         curve(axes, method, [(int(name.split("-")[1]), found.ms("convert", name, cells, method))
                              for name, cells in found.subjects("convert")
                              if name.startswith(prefix) and found.get("convert", name, cells, method)])
-    axes.set(title=title, xlabel="faces", ylabel="ms")
+    axes.set(title=title, xlabel="triangles", ylabel="ms")
 
 
 def booleans(axes, found):
-    bars = [(one["method"], one["ms"]) for one in found.as_list() 
+    bars = [(one["method"], one["ms"]) for one in found.as_list()
             if one["theme"] == "union" and one["solid"] == PAIR and one["side"] == 1024]
     axes.barh([method for method, _ in bars], [ms for _, ms in bars], log=True)
     axes.set(title=f"Union of {PAIR} at 1024", xlabel="ms")
@@ -49,8 +49,8 @@ def draw(found, path):
     by_depth(axes[0][0], found, "armadillo")
     by_depth(axes[0][1], found, "rotor")
     by_depth(axes[0][2], found, "bracket")
-    by_faces(axes[1][0], found, "sphere-", "Sphere that fills the root, at 1024")
-    by_faces(axes[1][1], found, "dot-", "Sphere of 1/16 of the root, at 1024")
+    by_triangles(axes[1][0], found, "sphere-", "Sphere that fills the root, at 1024")
+    by_triangles(axes[1][1], found, "dot-", "Sphere of 1/16 of the root, at 1024")
     booleans(axes[1][2], found)
     for one in axes.flat[:5]:
         one.set_xscale("log", base=2)

@@ -28,13 +28,13 @@ TITLES = {
 
 
 EXPLANATION = """Milliseconds of one thread's processor time, the least of the repetitions; in brackets how many times those of the
-floor, which is the exact scanline (runs), or one thread where there are several. Osem's conversions write into a pool of the
+floor, which is the exact scanline (runs), or one thread's where there are several: below 1 is faster. Osem's conversions write into a pool of the
 right size, which a counting pass has found that is not timed; several threads are timed by the clock, with all that the
 tool does but reading and writing files. What others make is freed while the clock stands. Booleans leave out what makes the
 operands.
 
 - `osem-centre`, `osem-three`: octrees by grids, centre leaves or three-valued ones; `plain-*`: octant by octant. `osem-pool`,
-  `osem-stream`: Booleans of these in a pool, and from stream to stream (checksums by tables of 8 KB); `osem-stream-checked`: of
+  `osem-stream`: Booleans of these in a pool, and from stream to stream; `osem-stream-checked`: of
   streams that were checked before; `osem-stream-indexed`: of such ones with an index of their subtrees.
 - `scan-runs`, `scan-bits`: the scanline's rows of runs, and a bit a cell of them; `runs`: their Booleans. It has been made fast;
   `scan-simple` is what one writes first, to the same runs: each row of a triangle's bounding box against its three edges, a division
@@ -43,7 +43,8 @@ operands.
   sets; `cgal`: corefinement of the meshes.
 
 A cell is inside where the exact winding number of its centre is not 0. Centres on the surface count by where the centre lies when
-it is moved by (e, e^2, e^3) for an infinitesimal e: Osem and the scanline alike. "Cells that differ" do so from that.
+it is moved by (e, e^2, e^3) for an infinitesimal e: Osem and the scanline alike. "Cells that differ" from these are others'.
+Faces of the bracket have holes: Osem converts them as they are, all others get them cut into triangles.
 Bytes of result: the pool's nodes (for `osem-pool` those added to the operands', which are shared), runs, bits or OpenVDB's grids.
 Bytes of memory: the same with operands, job and scratch as allocated, without the solid, without what OpenVDB and CGAL take on the way.
 A node in a Boolean's cost is one of the operands.
