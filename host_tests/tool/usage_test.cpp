@@ -1,9 +1,11 @@
 // Exit codes, single-line errors, and no file left behind.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <ostream>
 #include <sstream>
 #include <streambuf>
+#include <vector>
 
 #include <sys/wait.h>
 
@@ -164,6 +166,10 @@ TEST_F(Tool, AnEmptyOutputNameIsWrongUsage) {
           Names{"complement", in, "-o", ""}, Names{"image", in, "-o", ""},
           Names{"slice", in, "-o", "", "--axis", "x", "--at", "0"}, Names{"carray", in, "-o", ""}}) {
         EXPECT_TRUE(failed(osem(line), 1, "the name of the file to write is empty")) << line[0];
+        Names dashed = line;
+        std::replace(dashed.begin(), dashed.end(), std::string(), std::string("-"));
+        EXPECT_TRUE(failed(osem(dashed), 1, "/dev/stdout")) << line[0];
+        EXPECT_FALSE(std::filesystem::exists("-")) << line[0];
     }
 }
 

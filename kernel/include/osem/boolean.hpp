@@ -55,7 +55,7 @@ class Combination {
     Operator op_ = Operator::unite;
     bool complement_b_ = false;
     std::uint8_t depth_ = 0;
-    int level_ = -1;
+    int level_ = 0;
     std::uint64_t visited_ = 0;
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;

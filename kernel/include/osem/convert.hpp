@@ -90,7 +90,7 @@ class Conversion {
     ConvertOptions options_ = {0, LeafRule::conservative, WindingRule::nonzero};
     std::uint64_t visited_ = 0;
     Octant octant_ = root_octant; ///< that of the frame on top
-    int level_ = -1;              ///< of the frame on top
+    int level_ = 0;               ///< of the frame on top
     bool started_ = false;
     Frame frames_[max_depth] = {};
     TreeBuilder builder_;

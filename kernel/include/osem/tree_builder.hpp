@@ -88,7 +88,10 @@ class TreeBuilder {
     /// Gives the pool's nodes back, and what was counted stays. After finish it does nothing.
     void abandon();
     /// The same, as if the build had never begun.
-    void reset();
+    void reset() {
+        abandon();
+        needed_ = 0;
+    }
 
   private:
     template <bool is_boundary_free>

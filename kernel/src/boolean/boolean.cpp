@@ -62,7 +62,6 @@ constexpr Node uniform_nodes[] = {Node::uniform(Colour::white), Node::uniform(Co
 
 Status Combination::begin(Operator op, const Octree& a, const Octree& b, NodePool& pool, bool count_only) {
     builder_.reset();
-    level_ = -1;
     visited_ = 0;
     if (a.pool != &pool || b.pool != &pool) return Status::pools_differ;
     pool_ = &pool;
@@ -104,7 +103,7 @@ bool Combination::step(std::uint32_t nodes) {
 TreeOutcome Combination::finish() { return builder_.finish(depth_); }
 
 std::uint64_t Combination::decided_volume() const {
-    if (builder_.finished()) return root_volume;
+    if (!builder_.building()) return builder_.finished() ? root_volume : 0;
     std::uint64_t decided = 0;
     for (int level = 0; level <= level_; ++level) {
         const unsigned entered = level < level_ ? 1 : 0;

@@ -295,9 +295,4 @@ void TreeBuilder::abandon() {
     exhausted_ = false;
 }
 
-void TreeBuilder::reset() {
-    abandon();
-    needed_ = 0;
-}
-
 } // namespace osem

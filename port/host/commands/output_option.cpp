@@ -11,7 +11,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string empty_fault(const std::string& name) {
+// Elsewhere a dash is the standard output; here it would be a file that nobody asked for.
+std::string no_name_fault(const std::string& name) {
+    if (name == "-") return "expected the name of a file; that of the standard output is /dev/stdout";
     return name.empty() ? "the name of the file to write is empty" : std::string();
 }
 
@@ -38,7 +40,7 @@ bool same_file(const std::string& a, const std::string& b) {
 
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& target,
                         const std::string& help) {
-    return command.add_option(name, target, help)->check(empty_fault);
+    return command.add_option(name, target, help)->check(no_name_fault);
 }
 
 CLI::Option* add_tree_output(CLI::App& command, const std::string& name, std::string& target,

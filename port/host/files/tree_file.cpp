@@ -1,5 +1,6 @@
 #include "files/tree_file.hpp"
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -55,7 +56,9 @@ void TreeFile::damaged(const char* what, std::uint64_t offset) const {
 TreeFile::TreeFile(const std::string& path) : path_(path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) throw BadInput(path + ": no such file");
+    if (!std::filesystem::exists(status)) {
+        throw BadInput(path + ": cannot be opened: " + std::generic_category().message(ENOENT));
+    }
     if (!std::filesystem::is_regular_file(status)) throw BadInput(path + ": is not a regular file");
     const std::uint64_t size = std::filesystem::file_size(path, error);
     if (!error) stream_.open(path, std::ios::binary);
